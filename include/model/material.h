@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#ifndef mixed_cracks_model_material_h
+#define mixed_cracks_model_material_h
+
+#include <model/crack_density.h>
+#include <model/degradation.h>
+#include <model/elastic_constants.h>
+#include <model/energy_split.h>
+#include <model/pressure_law.h>
+
+#include <deal.II/base/symmetric_tensor.h>
+
+#include <memory>
+#include <string>
+
+namespace MixedCracks
+{
+  /// Everything a Material is composed of, by name and by number.
+  struct MaterialDescription
+  {
+    ElasticConstants elastic; ///< already reduced by (M6) in plane stress
+    double           critical_energy_release_rate; ///< G_c, N/mm
+    double           length_scale;                 ///< l, mm
+    double           residual_stiffness;           ///< kappa, dimensionless
+    double           relaxation;                   ///< c of (M8)
+    int              deviator_dimension;           ///< n of (M3): 2 or 3
+    std::string      crack_density;
+    std::string      energy_split;
+    std::string      pressure_law;
+  };
+
+  /// Stress, constraint and their derivatives at one point for a given
+  /// degradation. The constraint is the integrand of the second line of (M5).
+  template <int dim>
+  struct ElasticResponse
+  {
+    dealii::SymmetricTensor<2, dim> stress;         ///< g sigma+ + sigma-, MPa
+    dealii::SymmetricTensor<4, dim> stress_by_strain; ///< MPa
+    double stress_by_pressure;     ///< d(stress)/dp = this * I
+    double constraint;             ///< divergence tr(eps) - compliance p
+    double constraint_by_trace;    ///< d(constraint)/d(tr eps)
+    double constraint_by_pressure; ///< 1/MPa, negative
+  };
+
+  /// The material at one point: pure functions of strain, pressure and
+  /// phase field. In the displacement formulation the pressure is eliminated
+  /// with the constraint: pressure() returns it, and eliminated() the stress.
+  template <int dim>
+  class Material
+  {
+  public:
+    using Strain = dealii::SymmetricTensor<2, dim>;
+
+    explicit Material(const MaterialDescription &description);
+
+    /// Mixed formulation. @p g: degradation of the lagged phase field.
+    ElasticResponse<dim>
+    mixed(const Strain &strain, double pressure, double g) const;
+
+    /// Displacement formulation: only stress and stress_by_strain are set,
+    /// the other members are 0.
+    ElasticResponse<dim>
+    eliminated(const Strain &strain, double g) const;
+
+    /// The p for which the constraint holds at this strain; MPa.
+    double
+    pressure(const Strain &strain, double g) const;
+
+    /// sigma+ : eps of (M5), third line, undegraded; MPa.
+    double
+    driving_force(const Strain &strain, double pressure, double g) const;
+
+    /// Stored elastic energy density, degraded: half of stress : strain; MPa.
+    double
+    elastic_energy(const Strain &strain, double pressure, double g) const;
+
+    /// A number that two points share exactly when mixed() (or eliminated(),
+    /// with pressure 0) gives them the same derivatives for the same g;
+    /// negative when it cannot be said.
+    int
+    branch(const Strain &strain, double pressure) const;
+
+    const Degradation &
+    degradation() const
+    {
+      return degradation_function;
+    }
+
+    const CrackDensity &
+    crack_density() const
+    {
+      return *density;
+    }
+
+    const MaterialDescription &
+    description() const
+    {
+      return constants;
+    }
+
+  private:
+    bool
+    is_tension(double pressure_or_trace) const;
+
+    MaterialDescription               constants;
+    Degradation                       degradation_function;
+    std::unique_ptr<CrackDensity>     density;
+    std::unique_ptr<EnergySplit<dim>> split;
+    std::unique_ptr<PressureLaw>      pressure_law;
+  };
+} // namespace MixedCracks
+
+#endif

@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#ifndef mixed_cracks_model_pressure_law_h
+#define mixed_cracks_model_pressure_law_h
+
+#include <core/registry.h>
+
+namespace MixedCracks
+{
+  /// What a pressure law says at one point, for one degradation g and one
+  /// sign of p. Every law is linear in p between its sign changes.
+  struct PressureCoefficients
+  {
+    /// The momentum balance carries stress * p (dimensionless).
+    double stress;
+    /// The constraint is divergence * tr(eps) - compliance * p = 0.
+    double divergence;
+    /// 1/MPa.
+    double compliance;
+    /// The undegraded pressure that drives the crack is driving * p.
+    double driving;
+
+    /// Stiffness of the eliminated pressure: the momentum balance carries
+    /// this times tr(eps) in the displacement formulation; MPa.
+    double
+    eliminated_stiffness() const
+    {
+      return stress * divergence / compliance;
+    }
+  };
+
+  /// How the pressure fades inside the damaged zone [model.md, 3].
+  class PressureLaw
+  {
+  public:
+    virtual ~PressureLaw() = default;
+
+    /// @p g: degradation in (0, 1]. @p tension: p is degraded here, because
+    /// it is positive or the energy split does not distinguish.
+    virtual PressureCoefficients
+    coefficients(double g, bool tension) const = 0;
+  };
+
+  /// Constants of a pressure law.
+  struct PressureConstants
+  {
+    double lambda;     ///< first Lame parameter, MPa
+    double mu;         ///< shear modulus, MPa
+    double relaxation; ///< c of (M8), dimensionless
+  };
+
+  /// Pressure laws by name: "relaxed bulk" (M8), "degraded divergence" (M7),
+  /// and "degraded bulk" (true pressure, stress g<p>, the classical law of
+  /// the displacement formulation).
+  const Registry<PressureLaw, const PressureConstants &> &
+  all_pressure_laws();
+} // namespace MixedCracks
+
+#endif
