@@ -1,0 +1,179 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include <model/material.h>
+
+#include <deal.II/base/exceptions.h>
+
+namespace MixedCracks
+{
+  namespace
+  {
+    using dealii::SymmetricTensor;
+
+    template <int dim>
+    void
+    add_pressure(SymmetricTensor<2, dim> &stress, const double pressure)
+    {
+      for (unsigned int d = 0; d < dim; ++d)
+        stress[d][d] += pressure;
+    }
+
+    template <int dim>
+    void
+    add_bulk_stiffness(SymmetricTensor<4, dim> &tangent, const double stiffness)
+    {
+      for (unsigned int d = 0; d < dim; ++d)
+        for (unsigned int e = 0; e < dim; ++e)
+          tangent[d][d][e][e] += stiffness;
+    }
+
+    // g sigma+ + sigma- of the part 2 mu eps, and its tangent
+    template <int dim>
+    void
+    set_shear_part(ElasticResponse<dim>   &response,
+                   const SplitStress<dim> &parts,
+                   const double            g)
+    {
+      response.stress = parts.positive;
+      response.stress *= g;
+      response.stress += parts.negative;
+      response.stress_by_strain = parts.positive_tangent;
+      response.stress_by_strain *= g;
+      response.stress_by_strain += parts.negative_tangent;
+    }
+  } // namespace
+
+
+
+  template <int dim>
+  Material<dim>::Material(const MaterialDescription &description)
+    : constants(description)
+    , degradation_function(description.residual_stiffness)
+    , density(all_crack_densities().make(description.crack_density))
+    , split(all_energy_splits<dim>().make(description.energy_split,
+                                          description.deviator_dimension))
+    , pressure_law(
+        all_pressure_laws().make(description.pressure_law,
+                                 PressureConstants{description.elastic.lambda,
+                                                   description.elastic.mu,
+                                                   description.relaxation}))
+  {
+    Assert(description.elastic.lambda > 0. && description.elastic.mu > 0. &&
+             description.relaxation > 0. &&
+             description.residual_stiffness > 0. &&
+             description.residual_stiffness < 1.,
+           dealii::ExcMessage("The constants of a material must be checked "
+                              "before it is made."));
+  }
+
+
+
+  template <int dim>
+  ElasticResponse<dim>
+  Material<dim>::mixed(const Strain &strain,
+                       const double  pressure,
+                       const double  g) const
+  {
+    const PressureCoefficients law =
+      pressure_law->coefficients(g, is_tension(pressure));
+    ElasticResponse<dim> response;
+    set_shear_part(response, split->evaluate(strain, constants.elastic.mu), g);
+    add_pressure(response.stress, law.stress * pressure);
+    response.stress_by_pressure = law.stress;
+    response.constraint =
+      law.divergence * trace(strain) - law.compliance * pressure;
+    response.constraint_by_trace    = law.divergence;
+    response.constraint_by_pressure = -law.compliance;
+    return response;
+  }
+
+
+
+  template <int dim>
+  ElasticResponse<dim>
+  Material<dim>::eliminated(const Strain &strain, const double g) const
+  {
+    // the eliminated pressure has the sign of the trace
+    const double volume_change = trace(strain);
+    const double bulk_stiffness =
+      pressure_law->coefficients(g, is_tension(volume_change))
+        .eliminated_stiffness();
+    ElasticResponse<dim> response;
+    set_shear_part(response, split->evaluate(strain, constants.elastic.mu), g);
+    add_pressure(response.stress, bulk_stiffness * volume_change);
+    add_bulk_stiffness(response.stress_by_strain, bulk_stiffness);
+    response.stress_by_pressure     = 0.;
+    response.constraint             = 0.;
+    response.constraint_by_trace    = 0.;
+    response.constraint_by_pressure = 0.;
+    return response;
+  }
+
+
+
+  template <int dim>
+  double
+  Material<dim>::pressure(const Strain &strain, const double g) const
+  {
+    const double               volume_change = trace(strain);
+    const PressureCoefficients law =
+      pressure_law->coefficients(g, is_tension(volume_change));
+    return law.divergence * volume_change / law.compliance;
+  }
+
+
+
+  template <int dim>
+  double
+  Material<dim>::driving_force(const Strain &strain,
+                               const double  pressure,
+                               const double  g) const
+  {
+    double force =
+      split->evaluate(strain, constants.elastic.mu).positive * strain;
+    if (is_tension(pressure))
+      force +=
+        pressure_law->coefficients(g, true).driving * pressure * trace(strain);
+    return force;
+  }
+
+
+
+  template <int dim>
+  double
+  Material<dim>::elastic_energy(const Strain &strain,
+                                const double  pressure,
+                                const double  g) const
+  {
+    const SplitStress<dim> parts =
+      split->evaluate(strain, constants.elastic.mu);
+    const double transmitted_pressure =
+      pressure_law->coefficients(g, is_tension(pressure)).stress * pressure;
+    return 0.5 * (g * (parts.positive * strain) + parts.negative * strain +
+                  transmitted_pressure * trace(strain));
+  }
+
+
+
+  template <int dim>
+  int
+  Material<dim>::branch(const Strain &strain, const double pressure) const
+  {
+    const int split_branch = split->branch(strain);
+    return split_branch < 0 ? -1
+                            : 2 * split_branch + (is_tension(pressure) ? 1 : 0);
+  }
+
+
+
+  template <int dim>
+  bool
+  Material<dim>::is_tension(const double pressure_or_trace) const
+  {
+    return pressure_or_trace > 0. || !split->splits_pressure();
+  }
+
+
+
+  template class Material<2>;
+  template class Material<3>;
+} // namespace MixedCracks

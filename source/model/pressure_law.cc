@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include <model/pressure_law.h>
+
+namespace MixedCracks
+{
+  namespace
+  {
+    // (M8): p is what the material transmits; its constraint fades instead
+    class RelaxedBulk : public PressureLaw
+    {
+    public:
+      explicit RelaxedBulk(const PressureConstants &constants)
+        : intact_compliance(1. / constants.lambda)
+        , added_compliance(1. / (constants.relaxation * constants.mu))
+      {}
+
+      PressureCoefficients
+      coefficients(const double g, const bool tension) const override
+      {
+        if (!tension)
+          return {1., 1., intact_compliance, 1.};
+        const double inverse_g = 1. / g;
+        return {1.,
+                1.,
+                intact_compliance + (inverse_g - 1.) * added_compliance,
+                inverse_g};
+      }
+
+    private:
+      double intact_compliance;
+      double added_compliance;
+    };
+
+
+
+    // (M7), as printed in [Mang21]
+    class DegradedDivergence : public PressureLaw
+    {
+    public:
+      explicit DegradedDivergence(const PressureConstants &constants)
+        : compliance(1. / constants.lambda)
+      {}
+
+      PressureCoefficients
+      coefficients(const double g, const bool tension) const override
+      {
+        return {tension ? g : 1., g, compliance, 1.};
+      }
+
+    private:
+      double compliance;
+    };
+
+
+
+    // p is the pressure of the undamaged material, its stress is degraded
+    class DegradedBulk : public PressureLaw
+    {
+    public:
+      explicit DegradedBulk(const PressureConstants &constants)
+        : compliance(1. / constants.lambda)
+      {}
+
+      PressureCoefficients
+      coefficients(const double g, const bool tension) const override
+      {
+        return {tension ? g : 1., 1., compliance, 1.};
+      }
+
+    private:
+      double compliance;
+    };
+
+
+
+    template <typename Law>
+    std::unique_ptr<PressureLaw>
+    make(const PressureConstants &constants)
+    {
+      return std::make_unique<Law>(constants);
+    }
+  } // namespace
+
+
+
+  const Registry<PressureLaw, const PressureConstants &> &
+  all_pressure_laws()
+  {
+    static const Registry<PressureLaw, const PressureConstants &> list(
+      "pressure law",
+      {{"relaxed bulk",
+        "(div u, q) - (1/lambda + (1-g)/(g c mu)) (p, q) = 0 in tension, the "
+        "momentum balance carries p; the volumetric constraint fades with the "
+        "shear stiffness, so that cracks open",
+        make<RelaxedBulk>},
+       {"degraded divergence",
+        "g (div u, q) - 1/lambda (p, q) = 0, the momentum balance carries g p "
+        "in tension; the law of Mang et al. (2021)",
+        make<DegradedDivergence>},
+       {"degraded bulk",
+        "(div u, q) - 1/lambda (p, q) = 0, the momentum balance carries g p "
+        "in tension; in the displacement formulation the classical law",
+        make<DegradedBulk>}});
+    return list;
+  }
+} // namespace MixedCracks
