@@ -1,0 +1,74 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+# shellcheck shell=bash
+# What run-example and run-tests share; sourced, not run.
+
+root=$(cd -- "$(dirname -- "${BASH_SOURCE[0]}")/.." && pwd -P)
+
+say() { printf '\n== %s\n' "$*"; }
+
+fail() {
+  printf '%s: %s\n' "$(basename -- "$0")" "$*" >&2
+  exit 1
+}
+
+# Cores this process may use: a container may be granted less than it sees.
+usable_cores() {
+  local cores quota period granted
+  cores=$(nproc)
+  if [ -r /sys/fs/cgroup/cpu.max ]; then
+    read -r quota period </sys/fs/cgroup/cpu.max || true
+    if [ "${quota:-max}" != max ] && [ "${period:-0}" -gt 0 ]; then
+      granted=$(((quota + period - 1) / period))
+      if [ "$granted" -lt "$cores" ]; then cores=$granted; fi
+    fi
+  fi
+  echo "$((cores > 0 ? cores : 1))"
+}
+
+# Compilers at a time: a file that includes deal.II takes up to 2 GB.
+build_jobs() {
+  local kilobytes limit jobs cores
+  kilobytes=$(awk '/^MemAvailable:/ { print $2 }' /proc/meminfo 2>/dev/null)
+  kilobytes=${kilobytes:-2000000}
+  if [ -r /sys/fs/cgroup/memory.max ]; then
+    read -r limit </sys/fs/cgroup/memory.max || true
+    if [ "${limit:-max}" != max ] && [ "$((limit / 1024))" -lt "$kilobytes" ]; then
+      kilobytes=$((limit / 1024))
+    fi
+  fi
+  cores=$(usable_cores)
+  jobs=$((kilobytes / 2000000))
+  if [ "$jobs" -gt "$cores" ]; then jobs=$cores; fi
+  echo "$((jobs > 0 ? jobs : 1))"
+}
+
+# Open MPI refuses root and more ranks than cores unless told; in a container
+# root is the usual user. Ranks must not be bound to cores, since several runs
+# at a time would share the first ones. One thread per rank.
+prepare_mpi() {
+  export OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1
+  export OMPI_MCA_rmaps_base_oversubscribe=1
+  export OMPI_MCA_hwloc_base_binding_policy=none
+  export OMPI_MCA_btl_vader_single_copy_mechanism=none
+  export OMP_NUM_THREADS=1 OPENBLAS_NUM_THREADS=1 DEAL_II_NUM_THREADS=1
+}
+
+# configure_and_build DIRECTORY TYPE [TARGET]
+configure_and_build() {
+  local directory=$1 type=$2 generator=() home=''
+  if [ -f "$directory/CMakeCache.txt" ]; then
+    home=$(sed -n 's/^CMAKE_HOME_DIRECTORY:INTERNAL=//p' "$directory/CMakeCache.txt")
+    if [ "$home" != "$root" ]; then # the checkout has been moved or copied
+      rm -rf -- "$directory/CMakeCache.txt" "$directory/CMakeFiles"
+      home=''
+    fi
+  fi
+  # a directory that was configured by hand keeps its generator
+  if [ -z "$home" ]; then generator=(-G Ninja); fi
+  say "Configuring ($type) in $directory"
+  cmake -S "$root" -B "$directory" "${generator[@]}" -DCMAKE_BUILD_TYPE="$type" \
+    || fail "configuring failed; the messages above say why"
+  say "Building with $(build_jobs) compiler(s) at a time"
+  cmake --build "$directory" --parallel "$(build_jobs)" ${3:+--target "$3"} \
+    || fail "building failed; the messages above say why"
+}

@@ -1,0 +1,144 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""What happened in a run, read from its curve: peak, separation, moments."""
+import numpy as np
+
+SEPARATED_FRACTION = 0.2  # of the peak force, when the run does not name its own
+
+
+class Force:
+    """The force that is drawn: its values, its name, its peak and its fall."""
+
+    def __init__(self, results):
+        self.values, self.label = chosen_force(results)
+        self.peak = None
+        self.separation = None
+        if self.values is None or not np.isfinite(self.values).any():
+            self.values = None
+            return
+        self.peak = int(np.nanargmax(self.values))
+        self.separation = separation_index(self.values, self.peak, results)
+        self.threshold = separation_threshold(results)
+
+
+def chosen_force(results):
+    """The component along the load where the other one is small, otherwise
+    the magnitude."""
+    x, y = results.column("force_x_N"), results.column("force_y_N")
+    if x is None or y is None:
+        only = x if y is None else y
+        return only, "Force (N)"
+    largest_x = np.nanmax(np.abs(x)) if np.isfinite(x).any() else 0.
+    largest_y = np.nanmax(np.abs(y)) if np.isfinite(y).any() else 0.
+    if not largest_x and not largest_y:  # no force, or no number at all
+        return y, "Force in y (N)"
+    if largest_x <= 0.2 * largest_y:
+        values, label = y, "Force in y (N)"
+    elif largest_y <= 0.2 * largest_x:
+        values, label = x, "Force in x (N)"
+    else:
+        return np.hypot(x, y), "Force, magnitude (N)"
+    if abs(np.nanmin(values)) > np.nanmax(values):
+        return -values, label.replace("Force", "Compressive force")
+    return values, label
+
+
+def separation_threshold(results):
+    fraction = results.number("Load stepping/Stop when force falls below", 0.)
+    return fraction if fraction > 0. else SEPARATED_FRACTION
+
+
+def separation_index(force, peak, results):
+    """First step after the peak with almost no force left, or None."""
+    if results.summary.get("separated") is False:
+        return None
+    below = np.nonzero(force[peak:] <= separation_threshold(results) * force[peak])[0]
+    if force[peak] > 0. and len(below) and below[0] > 0:
+        return peak + int(below[0])
+    if results.summary.get("separated") is True and peak < len(force) - 1:
+        return len(force) - 1
+    return None
+
+
+def imbalance(results):
+    """External work minus stored elastic minus dissipated crack energy (mJ).
+    Crack energy of the first row belongs to the initial cracks: nobody did
+    work for it."""
+    work = results.column("external_work_mJ")
+    elastic = results.column("elastic_energy_mJ")
+    crack = results.column("crack_energy_mJ")
+    if work is None or elastic is None or crack is None:
+        return None
+    return work - elastic - (crack - crack[0])
+
+
+def onset_index(results, force):
+    """Last step before the crack grows: 2 % of the whole growth."""
+    crack = results.column("crack_energy_mJ")
+    if crack is None or not np.isfinite(crack).all():
+        return None
+    growth = crack - crack[0]
+    if growth.max() <= 1e-3 * max(abs(crack[0]), 1e-12):
+        return len(crack) - 1
+    return max(0, int(np.argmax(growth > 0.02 * growth.max())) - 1)
+
+
+def nearest(times, time, allowed):
+    """Index of the entry of times nearest to time among the allowed ones."""
+    candidates = [i for i in range(len(times)) if allowed(times[i])]
+    return min(candidates, key=lambda i: abs(times[i] - time)) if candidates else None
+
+
+def chosen_moments(results, force, times):
+    """[(index into times, words)], at most six, in order of time: before the
+    onset, at the peak, while the crack runs, after separation."""
+    if not times:
+        return []
+    steps = results.column("time_s")
+    words = {}
+
+    def choose(index, text):
+        if index is not None and index not in words:
+            words[index] = text
+
+    last = len(times) - 1
+    if steps is None or force.peak is None:
+        for i in np.unique(np.linspace(0, last, min(4, last + 1)).astype(int)):
+            choose(int(i), "")
+        return sorted(words.items())
+    small = 1e-6 * max(abs(times[-1]), 1e-12)
+    peak_time = steps[force.peak]
+    at_peak = nearest(times, peak_time, lambda t: True)
+    separated = None
+    if force.separation is not None:
+        separation_time = steps[force.separation]
+        separated = nearest(times, separation_time,
+                            lambda t: t >= separation_time - small)
+    onset = onset_index(results, force)
+    if onset is not None and force.peak > 0:
+        onset = min(onset, force.peak - 1)
+        choose(nearest(times, steps[onset], lambda t: t <= steps[onset] + small),
+               "before the crack grows")
+    exact = abs(times[at_peak] - peak_time) <= small
+    choose(at_peak, "at the peak" if exact else "near the peak")
+    choose(separated, "after separation")
+    for fraction in (0.5, 0.25, 0.75):  # of the crack that grows after the peak
+        if len(words) < 6:
+            choose(*while_running(results, force, times, fraction, small))
+    choose(last, "at the end")
+    while len(words) > 6:
+        del words[sorted(words)[-2]]
+    return sorted(words.items())
+
+
+def while_running(results, force, times, fraction, small):
+    """A field between peak and separation with that share of the growth."""
+    steps = results.column("time_s")
+    crack = results.column("crack_energy_mJ")
+    end = force.separation if force.separation is not None else len(steps) - 1
+    if crack is None or end <= force.peak:
+        return None, ""
+    wanted = crack[force.peak] + fraction * (crack[end] - crack[force.peak])
+    step = force.peak + int(np.argmax(crack[force.peak:end + 1] >= wanted))
+    index = nearest(times, steps[step],
+                    lambda t: steps[force.peak] + small < t < steps[end] - small)
+    return index, "while the crack runs"

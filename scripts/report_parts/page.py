@@ -1,0 +1,271 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""The page: everything put together as one HTML text."""
+import base64
+import datetime
+import html
+import os
+import re
+
+from . import curves, moments, pictures, vtu, words
+from .results import Results
+
+PAGE = """<!DOCTYPE html>
+<html lang="en">
+<head>
+<meta charset="utf-8">
+<meta name="viewport" content="width=device-width, initial-scale=1">
+<title>{title} – mixed-cracks</title>
+<style>
+{style}
+</style>
+</head>
+<body>
+{body}
+</body>
+</html>
+"""
+
+
+def escaped(text):
+    return html.escape(str(text))
+
+
+def written(directory):
+    """The page about the run in this directory, as text."""
+    results = Results(directory)
+    force = moments.Force(results)
+    remarks = words.remarks_of(results, force)
+    middle = (curve_section(results, force) + field_sections(results, force, remarks)
+              + energy_section(results) + step_section(results)
+              + table_section(results))
+    # drawing may add remarks, so the head comes last
+    body = head(results, force, remarks) + middle + foot(results)
+    with open(os.path.join(os.path.dirname(__file__), "page.css")) as stream:
+        style = stream.read()
+    return PAGE.format(title=escaped(words.title_of(results)), style=style, body=body)
+
+
+def head(results, force, remarks):
+    figures = "".join(
+        "<div><dt>%s</dt><dd>%s<small>%s</small></dd></div>"
+        % tuple(escaped(part) for part in figure)
+        for figure in words.key_figures(results, force))
+    text = "<header><p class=\"kind\">Phase-field fracture</p><h1>%s</h1>" \
+        "<p>%s</p><dl class=\"key\">%s</dl></header>\n" \
+        % (escaped(words.title_of(results)), escaped(words.case_in_words(results)),
+           figures)
+    if remarks:
+        text += "<aside><h2>Please note</h2><ul>%s</ul></aside>\n" \
+            % "".join("<li>%s</li>" % escaped(remark) for remark in remarks)
+    return text
+
+
+def curve_section(results, force):
+    drawing = curves.force_curve(results, force)
+    if drawing is None:
+        return section("Force and displacement",
+                       "<p class=\"note\">No force has been written yet.</p>")
+    note = "Every dot is an accepted load step."
+    thickness = results.number("Material/Thickness")
+    if thickness is not None:
+        note += " Forces are those of the specimen, %s thick." \
+            % words.number(thickness, "mm")
+    if force.separation is not None:
+        note += " Separated: less than %.0f\u00a0%% of the peak force is left." \
+            % (100. * force.threshold)
+    return section("Force and displacement",
+                   drawing + "<p class=\"note\">%s</p>" % note)
+
+
+def field_sections(results, force, remarks):
+    """Pictures of the phase field, and of mesh and deformed body."""
+    collection = vtu.read_collection(results.directory)
+    if not collection:
+        return section("The crack", "<p class=\"note\">No fields have been written "
+                       "(fields.pvd names no file that exists).</p>")
+    times = [time for time, _ in collection]
+    figures, drawn = [], []
+    for index, text in moments.chosen_moments(results, force, times):
+        time, path = collection[index]
+        try:
+            fields = vtu.read_fields(path, ("phase_field", "displacement"))
+            if "phase_field" not in fields.data:
+                raise vtu.FieldError("%s holds no phase_field"
+                                     % os.path.basename(path))
+        except vtu.FieldError as error:
+            remarks.append("A picture is missing: %s." % error)
+            continue
+        figures.append((pictures.phase_field_picture(fields),
+                        caption(results, force, time, text)))
+        drawn.append((time, text, fields))
+    if not drawn:
+        return section("The crack", "<p class=\"note\">None of the files of fields "
+                       "could be drawn.</p>")
+    flat = pictures.is_flat(drawn[0][2])
+    note = "Phase field φ on the undeformed body" \
+        + ("." if flat else ", seen along z.")
+    return section("The crack", "<p class=\"note\">%s</p>%s%s"
+                   % (note, row(figures, pictures.window_of(drawn[0][2].points)), color_bar()), "long") \
+        + body_section(results, force, drawn)
+
+
+def body_section(results, force, drawn):
+    """The mesh at the end, the body at the peak and at the end."""
+    end_time, _, end_fields = drawn[-1]
+    bodies = []
+    for time, text, fields in [d for d in drawn[:-1] if "peak" in d[1]] + [drawn[-1]]:
+        scale = pictures.deformation_scale(fields) \
+            if "displacement" in fields.data else None
+        if scale is not None:
+            bodies.append((time, text, fields, scale))
+    figures = [(pictures.mesh_picture(end_fields), "<b>Mesh</b>%s cells, %s"
+                % (cells_at(results, end_time, end_fields),
+                   escaped(place(results, end_time))))]
+    windows = [pictures.window_of(end_fields.points)]
+    if bodies:
+        windows += len(bodies) * [pictures.common_window(
+            [end_fields.points] + [pictures.deformed_points(fields, scale)
+                                   for _, _, fields, scale in bodies])]
+    window = windows[-1]
+    for time, text, fields, scale in bodies:
+        figures.append((pictures.deformed_picture(fields, scale, window),
+                        "<b>Deformed, %s</b>%s, %s"
+                        % (escaped(text or "at " + words.number(time, "s")),
+                           escaped(place(results, time)),
+                           "true to scale" if scale == 1. else
+                           "displacement × " + words.number(scale))))
+    note = "Cells that reach φ below %s, or are stretched more than %g times, " \
+        "are left out of the deformed body." % (pictures.BROKEN, pictures.TORN)
+    return section("Mesh and deformation", row_of_equal_height(figures, windows)
+                   + ("<p class=\"note\">%s</p>" % note if bodies else ""), "long")
+
+
+def cells_at(results, time, fields):
+    row_number = step_at(results, time)
+    cells = results.column("cells")
+    if row_number is None or cells is None:
+        return words.number(len(fields.faces)) + " drawn"
+    return words.number(cells[row_number])
+
+
+def step_at(results, time):
+    """Row of the statistics at that time, or None."""
+    steps = results.column("time_s")
+    if steps is None:
+        return None
+    index = int(abs(steps - time).argmin())
+    return index if abs(steps[index] - time) <= 1e-6 * max(abs(time), 1e-9) else None
+
+
+def place(results, time):
+    """Where on the curve a moment lies."""
+    index = step_at(results, time)
+    x = results.column("displacement_mm")
+    if index is None or x is None:
+        return "t = " + words.number(time, "s")
+    return words.number(x[index], "mm")
+
+
+def caption(results, force, time, text):
+    text = escaped(text[:1].upper() + text[1:]) or "At " + words.number(time, "s")
+    line = place(results, time)
+    index = step_at(results, time)
+    if index is not None and force.values is not None:
+        line += ", " + words.number(force.values[index], "N")
+    return "<b>%s</b>%s" % (text, escaped(line))
+
+
+def row(figures, window):
+    """Figures side by side: as many columns as the shape of the body suits,
+    and rows of equal length."""
+    low, high = window
+    aspect = (high - low)[0] / max((high - low)[1], 1e-300)
+    limit = 6 if aspect < 0.8 else 4 if aspect < 1.2 else 3 if aspect < 1.8 else \
+        2 if aspect < 4. else 1
+    n_rows = -(-len(figures) // limit)
+    # few figures do not grow over the whole page
+    n_columns = max(-(-len(figures) // n_rows), min(limit, 4 if aspect < 1. else 3))
+    width = "calc((100%% - %.2frem) / %d)" % (1.2 * (n_columns - 1) + 0.01, n_columns)
+    return figures_of([(png, label, width) for png, label in figures])
+
+
+def row_of_equal_height(figures, windows):
+    """Figures of different shapes in one row, no higher than 36 rem."""
+    sizes = [high - low for low, high in windows]
+    aspects = [size[0] / max(size[1], 1e-300) for size in sizes]
+    gaps = 1.2 * (len(figures) - 1) + 0.01
+    if sum(aspects) > 4.:  # wide bodies: one below the other
+        return figures_of([(png, label, "100%") for png, label in figures])
+    return figures_of(
+        [(png, label, "min(calc((100%% - %.2frem) * %.4f), %.2frem)"
+          % (gaps, aspect / sum(aspects), 36. * aspect))
+         for (png, label), aspect in zip(figures, aspects)])
+
+
+def figures_of(figures):
+    """[(png, caption, CSS width)] as HTML."""
+    return "<div class=\"pictures\">%s</div>" % "".join(
+        "<figure style=\"width: %s\"><img alt=\"%s\" "
+        "src=\"data:image/png;base64,%s\"><figcaption>%s</figcaption></figure>"
+        % (width, re.sub("<[^>]*>", " ", label).strip(),
+           base64.b64encode(png).decode("ascii"), label)
+        for png, label, width in figures)
+
+
+def color_bar():
+    return "<div class=\"bar\">φ = 0, broken <i style=\"background: " \
+        "linear-gradient(to right, %s)\"></i> φ = 1, intact</div>" \
+        % pictures.CSS_GRADIENT
+
+
+def energy_section(results):
+    drawing = curves.energy_curves(results)
+    return "" if drawing is None else section("Energies", drawing)
+
+
+def step_section(results):
+    drawing = curves.step_curves(results)
+    return "" if drawing is None else section("Steps", drawing)
+
+
+def table(rows):
+    return "<table>%s</table>" % "".join(
+        "<tr><td>%s</td><td>%s</td></tr>" % (escaped(name), escaped(value))
+        for name, value in rows)
+
+
+def table_section(results):
+    left = table(words.run_table(results)) if results.summary else \
+        "<p class=\"note\">No summary yet.</p>"
+    chosen = [(path.split("/")[-1], value)
+              for path, value in results.parameters.items() if value != ""
+              and path.split("/")[0] in ("Model", "Material", "Boundary conditions")
+              and path.count("/") == 1]
+    right = table(chosen) if chosen else \
+        "<p class=\"note\">There is no parameters.prm.</p>"
+    text = "<div class=\"tables\"><div><h3>Result</h3>%s</div>" \
+        "<div><h3>Model and material</h3>%s</div></div>" % (left, right)
+    if results.parameters:
+        groups = {}
+        for path, value in results.parameters.items():
+            group, _, name = path.rpartition("/")
+            groups.setdefault(group, []).append((name, value))
+        text += "<details><summary>All parameters</summary><div>%s</div></details>" \
+            % "".join("<section><h3>%s</h3>%s</section>"
+                      % (escaped(group or "General"), table(rows))
+                      for group, rows in groups.items())
+    return section("The run", text, "long")
+
+
+def section(title, content, kind=""):
+    return "<section%s><h2>%s</h2>%s</section>\n" \
+        % (" class=\"%s\"" % kind if kind else "", escaped(title), content)
+
+
+def foot(results):
+    program = " ".join(str(results.summary[name]) for name in
+                       ("program", "version", "revision") if results.summary.get(name))
+    return "<footer>%s. Page made on %s from %s.</footer>" \
+        % (escaped(program or "mixed-cracks"),
+           datetime.datetime.now().strftime("%d %B %Y, %H:%M"),
+           escaped(os.path.abspath(results.directory)))

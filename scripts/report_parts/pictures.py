@@ -1,0 +1,180 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""Pictures of the phase field, the mesh and the deformed body as PNG."""
+import io
+
+import matplotlib
+import numpy as np
+from matplotlib.collections import LineCollection
+from matplotlib.colors import LinearSegmentedColormap
+from matplotlib.figure import Figure
+
+from . import vtu
+
+# Intact is nearly white, so that a print needs little ink; broken is dark.
+COLORS = LinearSegmentedColormap.from_list(
+    "phase field", ["#3b0f2b", "#8c2a3a", "#d9743f", "#f2c98a", "#f3efe6"])
+CSS_GRADIENT = "#3b0f2b, #8c2a3a, #d9743f, #f2c98a, #f3efe6"
+OUTLINE = "#52606c"
+# Cells that reach less, or are stretched more, are left out of the deformed
+# picture: they are the crack.
+BROKEN, TORN = 0.1, 8.
+
+
+def corner_triangles(faces):
+    """Triangles of the faces; a face with a repeated corner gives one."""
+    first = faces[:, [0, 1, 2]]
+    second = faces[faces[:, 2] != faces[:, 3]][:, [0, 2, 3]]
+    return np.concatenate([first, second])
+
+
+def edges_of(points, faces):
+    """(unique edges as point pairs, how many faces share each)."""
+    place = vtu.merged_points(points)
+    pairs = np.concatenate([faces[:, [i, (i + 1) % 4]] for i in range(4)])
+    pairs = pairs[place[pairs[:, 0]] != place[pairs[:, 1]]]
+    keys = np.sort(place[pairs], axis=1)
+    _, first, count = np.unique(keys, axis=0, return_index=True, return_counts=True)
+    return pairs[first], count
+
+
+def outline_of(points, faces):
+    """Boundary edges. At a hanging node the long edge and its two halves each
+    belong to one face only: they are no boundary."""
+    pairs, count = edges_of(points, faces)
+    pairs = pairs[count == 1]
+    extent = float(np.ptp(points, axis=0).max()) or 1.
+
+    def key(a, b):
+        return (tuple(np.round(a / extent * 1e6).astype(int)),
+                tuple(np.round(b / extent * 1e6).astype(int)))
+
+    ends = points[pairs]
+    number = {}
+    for i, (a, b) in enumerate(ends):
+        number[key(a, b)] = number[key(b, a)] = i
+    keep = np.ones(len(pairs), bool)
+    for i, (a, b) in enumerate(ends):
+        middle = (a + b) / 2.
+        halves = [number.get(key(a, middle)), number.get(key(middle, b))]
+        if None not in halves:
+            keep[[i] + halves] = False
+    return pairs[keep]
+
+
+def window_of(points, margin=0.02):
+    low, high = points[:, :2].min(axis=0), points[:, :2].max(axis=0)
+    pad = margin * max(high - low)
+    return low - pad, high + pad
+
+
+def canvas(window, pixels=560):
+    """A figure that shows the window with equal scales, the longer of its
+    sides `pixels` long, and axes that fill it."""
+    low, high = window
+    size = high - low
+    scale = pixels / max(size.max(), 1e-300)
+    size = np.maximum(size * scale, 40.)
+    figure = Figure(figsize=tuple(size / 100.), dpi=100)
+    axes = figure.add_axes([0, 0, 1, 1])
+    axes.set_xlim(low[0], high[0])
+    axes.set_ylim(low[1], high[1])
+    axes.set_aspect("equal")
+    axes.axis("off")
+    return figure, axes
+
+
+def png_of(figure):
+    stream = io.BytesIO()
+    with matplotlib.rc_context({"savefig.facecolor": "white"}):
+        figure.savefig(stream, format="png", dpi=150,
+                       metadata={"Software": None}, pil_kwargs={"optimize": True})
+    return stream.getvalue()
+
+
+def is_flat(fields):
+    return np.ptp(fields.points[:, 2]) <= 1e-9 * np.ptp(fields.points[:, :2])
+
+
+def paint(axes, fields, points, faces, values):
+    triangles = corner_triangles(faces)
+    if not is_flat(fields):  # far faces first
+        triangles = triangles[np.argsort(points[triangles, 2].mean(axis=1),
+                                         kind="stable")]
+    axes.tripcolor(points[:, 0], points[:, 1], triangles, values,
+                   shading="gouraud", cmap=COLORS, vmin=0., vmax=1.)
+
+
+def lines(axes, points, pairs, width, color=OUTLINE):
+    axes.add_collection(LineCollection(points[pairs][:, :, :2], colors=color,
+                                       linewidths=width, capstyle="round"))
+
+
+def phase_field_picture(fields):
+    """PNG of the phase field on the undeformed body."""
+    figure, axes = canvas(window_of(fields.points))
+    paint(axes, fields, fields.points, fields.faces,
+          np.clip(fields.data["phase_field"], 0., 1.))
+    if is_flat(fields):
+        lines(axes, fields.points, outline_of(fields.points, fields.faces), 0.8)
+    return png_of(figure)
+
+
+def mesh_picture(fields):
+    """PNG of the mesh; thinner lines where there are many cells."""
+    figure, axes = canvas(window_of(fields.points), 780)
+    pairs, _ = edges_of(fields.points, fields.faces)
+    width = float(np.clip(30. / np.sqrt(len(fields.faces)), 0.12, 0.7))
+    lines(axes, fields.points, pairs, width)
+    return png_of(figure)
+
+
+def deformation_scale(fields):
+    """1 where the deformation can be seen as it is, otherwise a round factor
+    that makes the largest displacement a tenth of the body."""
+    size = float(np.ptp(fields.points, axis=0).max())
+    largest = float(np.linalg.norm(fields.data["displacement"], axis=1).max())
+    if largest <= 0. or not np.isfinite(largest):
+        return None
+    if 0.02 * size <= largest <= 2. * size:
+        return 1.
+    factor = 0.1 * size / largest
+    power = 10. ** np.floor(np.log10(factor))
+    return float(power * max(n for n in (1, 2, 5) if n * power <= factor * 1.0001))
+
+
+def deformed_points(fields, scale):
+    displacement = fields.data["displacement"]
+    points = fields.points.copy()
+    points[:, :displacement.shape[1]] += scale * displacement
+    return points
+
+
+def longest_edges(points, faces):
+    corners = points[faces]
+    return np.linalg.norm(corners - np.roll(corners, 1, axis=1),
+                          axis=2).max(axis=1)
+
+
+def common_window(all_points):
+    """One window for bodies that are to be compared by eye."""
+    windows = [window_of(points) for points in all_points]
+    low = np.min([window[0] for window in windows], axis=0)
+    high = np.max([window[1] for window in windows], axis=0)
+    return low, high
+
+
+def deformed_picture(fields, scale, window):
+    """PNG of the deformed body without its broken cells."""
+    points = deformed_points(fields, scale)
+    phase_field = fields.data.get("phase_field", np.ones(len(points)))
+    stretch = longest_edges(points, fields.faces) \
+        / np.maximum(longest_edges(fields.points, fields.faces), 1e-300)
+    faces = fields.faces[(phase_field[fields.faces].min(axis=1) >= BROKEN)
+                         & (stretch <= TORN * max(scale, 1.))]
+    if not len(faces):
+        faces = fields.faces
+    figure, axes = canvas(window, 780)
+    paint(axes, fields, points, faces, np.clip(phase_field, 0., 1.))
+    if is_flat(fields):
+        lines(axes, points, outline_of(fields.points, faces), 0.7)
+    return png_of(figure)

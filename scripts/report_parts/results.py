@@ -1,0 +1,135 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""What a run left in its directory, however far it came."""
+import json
+import os
+import re
+
+import numpy as np
+
+
+class Results:
+    """statistics (name -> array), summary, parameters, and remarks on gaps."""
+
+    def __init__(self, directory):
+        self.directory = directory
+        self.remarks = []
+        self.statistics = read_statistics(
+            os.path.join(directory, "statistics.csv"), self.remarks)
+        self.summary = read_summary(
+            os.path.join(directory, "summary.json"), self.remarks)
+        self.parameters = read_parameters(
+            os.path.join(directory, "parameters.prm"))
+        self.log_warnings = read_log_warnings(os.path.join(directory, "log.txt"))
+
+    @property
+    def n_steps(self):
+        return len(next(iter(self.statistics.values()), []))
+
+    def column(self, name):
+        """A column of the statistics, or None."""
+        return self.statistics.get(name) if self.n_steps else None
+
+    def parameter(self, path, default=None):
+        """The value of "Subsection/Entry", or the default."""
+        value = self.parameters.get(path, "")
+        return value if value != "" else default
+
+    def number(self, path, default=None):
+        """The same as a number; the default when it is none."""
+        try:
+            return float(self.parameter(path))
+        except (TypeError, ValueError):
+            return default
+
+
+def read_text(path):
+    """The text of a file, or None when there is none."""
+    try:
+        with open(path, encoding="utf-8", errors="replace") as stream:
+            return stream.read()
+    except OSError:
+        return None
+
+
+def read_statistics(path, remarks):
+    """Columns by name. A last line without its end was being written when the
+    run was killed: even if it looks whole, its last number may be cut."""
+    text = read_text(path)
+    if text is None:
+        remarks.append("There is no statistics.csv: no step has been accepted yet.")
+        return {}
+    lines = text.splitlines()
+    if text and not text.endswith("\n"):
+        lines.pop()
+        if lines:
+            remarks.append("The last line of statistics.csv is incomplete and "
+                           "was left out.")
+    lines = [line for line in lines
+             if line.strip() and not line.lstrip().startswith("#")]
+    if not lines:
+        remarks.append("statistics.csv is empty.")
+        return {}
+    names = [name.strip() for name in lines[0].split(",")]
+    rows, n_bad = [], 0
+    for line in lines[1:]:
+        values = line.split(",")
+        try:
+            if len(values) != len(names):
+                raise ValueError
+            rows.append([float(value) if value.strip() else np.nan
+                         for value in values])
+        except ValueError:
+            n_bad += 1
+    if n_bad:
+        remarks.append("%d line%s of statistics.csv could not be read."
+                       % (n_bad, "" if n_bad == 1 else "s"))
+    if not rows:
+        remarks.append("statistics.csv holds no step yet.")
+    table = np.array(rows, dtype=float).reshape(-1, len(names))
+    return {name: table[:, i] for i, name in enumerate(names)}
+
+
+def read_summary(path, remarks):
+    """summary.json; empty when the run has not come to its end."""
+    text = read_text(path)
+    if text is None:
+        remarks.append("There is no summary.json: the run is still going on, "
+                       "or it was killed.")
+        return {}
+    try:
+        summary = json.loads(text)
+        if not isinstance(summary, dict):
+            raise ValueError("not an object")
+        return summary
+    except ValueError as error:
+        remarks.append("summary.json cannot be read (%s)." % error)
+        return {}
+
+
+def read_parameters(path):
+    """{"Subsection/Entry": value} of a .prm file."""
+    values, section = {}, []
+    for line in (read_text(path) or "").splitlines():
+        line = line.split("#", 1)[0].strip()
+        if line.startswith("subsection "):
+            section.append(line[len("subsection "):].strip())
+        elif line == "end":
+            if section:
+                section.pop()
+        else:
+            found = re.match(r"set\s+(.*?)\s*=\s*(.*)$", line)
+            if found:
+                values["/".join(section + [found.group(1)])] = found.group(2).strip()
+    return values
+
+
+def read_log_warnings(path, largest=8):
+    """Lines of the log that begin with "warning", each once."""
+    found = []
+    for line in (read_text(path) or "").splitlines():
+        line = line.strip()
+        if re.match(r"warning\b", line, re.IGNORECASE) and line not in found:
+            found.append(line)
+    if len(found) > largest:
+        found[largest:] = ["… and %d more in log.txt" % (len(found) - largest)]
+    return found

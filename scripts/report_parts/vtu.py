@@ -1,0 +1,205 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""Read the fields a run wrote (.pvd, .pvtu, .vtu) with nothing but numpy.
+
+Understood are inline arrays, ascii or base64, with or without zlib, in one or
+several pieces: what deal.II writes. Appended data are not.
+"""
+import base64
+import os
+import re
+import struct
+import xml.etree.ElementTree as ElementTree
+import zlib
+
+import numpy as np
+
+TYPES = {"Float32": "f4", "Float64": "f8", "Int8": "i1", "UInt8": "u1",
+         "Int16": "i2", "UInt16": "u2", "Int32": "i4", "UInt32": "u4",
+         "Int64": "i8", "UInt64": "u8"}
+
+# Faces of the VTK cell types that are drawn, as local corner numbers. Higher
+# order (Lagrange) cells begin with their corners, so these serve them too.
+QUADRILATERAL = [(0, 1, 2, 3)]
+TRIANGLE = [(0, 1, 2)]
+HEXAHEDRON = [(0, 1, 2, 3), (4, 5, 6, 7), (0, 1, 5, 4),
+              (1, 2, 6, 5), (2, 3, 7, 6), (3, 0, 4, 7)]
+TETRAHEDRON = [(0, 1, 2), (0, 1, 3), (1, 2, 3), (0, 2, 3)]
+FACES = {5: TRIANGLE, 69: TRIANGLE, 9: QUADRILATERAL, 70: QUADRILATERAL,
+         10: TETRAHEDRON, 71: TETRAHEDRON, 12: HEXAHEDRON, 72: HEXAHEDRON}
+
+
+class FieldError(Exception):
+    """A file of fields that cannot be read; its text is for a person."""
+
+
+class Fields:
+    """One moment: points (n, 3), faces (m, 4), and point data by name.
+
+    A triangle repeats its last corner. In 3-d the faces are the outer ones.
+    """
+
+    def __init__(self, points, faces, data):
+        self.points = points
+        self.faces = faces
+        self.data = data
+
+
+def read_collection(directory):
+    """[(time, path)] of fields.pvd, by time, files that exist only."""
+    try:
+        with open(os.path.join(directory, "fields.pvd"), errors="replace") as stream:
+            text = stream.read()
+    except OSError:
+        return []
+    entries = {}
+    # no XML parser: the collection of a killed run may end anywhere
+    for attributes in re.findall(r"<DataSet\b([^>]*)>", text):
+        found = dict(re.findall(r'(\w+)\s*=\s*"([^"]*)"', attributes))
+        path = os.path.join(directory, found.get("file", ""))
+        try:
+            time = float(found["timestep"])
+        except (KeyError, ValueError):
+            continue
+        if os.path.isfile(path):
+            entries[time] = path
+    return sorted(entries.items())
+
+
+def decoded(element, header_type, compressed, order):
+    """The numbers of one DataArray, flat."""
+    kind = element.get("type")
+    if kind not in TYPES:
+        raise FieldError("data type '%s' is not known" % kind)
+    number = np.dtype(order + TYPES[kind])
+    layout = element.get("format", "ascii")
+    text = element.text or ""
+    if layout == "ascii":
+        return np.array(text.split(), dtype=float).astype(number)
+    if layout != "binary":
+        raise FieldError("data format '%s' is not understood" % layout)
+    text = re.sub(r"\s+", "", text)
+    size = 8 if header_type == "UInt64" else 4
+    letter = order + ("Q" if size == 8 else "I")
+
+    def encoded_length(n_bytes):
+        return (n_bytes + 2) // 3 * 4
+
+    if not text:
+        return np.zeros(0, number)
+    if not compressed:
+        raw = base64.b64decode(text)
+        return np.frombuffer(raw[size:], number)
+    # header: number of blocks, block size, last block size, compressed sizes
+    n_blocks = struct.unpack(letter,
+                             base64.b64decode(text[:encoded_length(size)])[:size])[0]
+    header_length = encoded_length((3 + n_blocks) * size)
+    header = np.frombuffer(base64.b64decode(text[:header_length]),
+                           np.dtype(letter))[3:3 + n_blocks]
+    raw = base64.b64decode(text[header_length:])
+    blocks, begin = [], 0
+    for length in header:
+        blocks.append(zlib.decompress(raw[begin:begin + int(length)]))
+        begin += int(length)
+    return np.frombuffer(b"".join(blocks), number)
+
+
+def read_piece_file(path, names):
+    """[(points, connectivity, offsets, types, data)] of one .vtu."""
+    root = ElementTree.parse(path).getroot()
+    order = ">" if root.get("byte_order") == "BigEndian" else "<"
+    header_type = root.get("header_type", "UInt32")
+    compressed = root.get("compressor") is not None
+
+    def array(element):
+        values = decoded(element, header_type, compressed, order)
+        components = int(element.get("NumberOfComponents", "1"))
+        return values.reshape(-1, components) if components > 1 else values
+
+    pieces = []
+    for piece in root.iter("Piece"):
+        n_points = int(piece.get("NumberOfPoints", "0"))
+        if n_points == 0:  # a rank without cells
+            continue
+        cells = {e.get("Name"): array(e) for e in piece.find("Cells")}
+        points = array(piece.find("Points")[0]).reshape(-1, 3)
+        data = {}
+        point_data = piece.find("PointData")
+        for element in ([] if point_data is None else point_data):
+            if element.get("Name") in names:
+                data[element.get("Name")] = array(element)
+        if len(points) != n_points:
+            raise FieldError("it holds fewer points than it says")
+        pieces.append((points.astype(float), cells["connectivity"].astype(int),
+                       cells["offsets"].astype(int), cells["types"].astype(int),
+                       data))
+    return pieces
+
+
+def faces_of(connectivity, offsets, types):
+    """(faces, is_volume): corners of every face of every cell, 4 each."""
+    begins = np.concatenate([[0], offsets[:-1]])
+    faces, is_volume = [], False
+    for kind in np.unique(types):
+        if kind not in FACES:
+            continue
+        starts = begins[types == kind]
+        is_volume = is_volume or len(FACES[kind]) > 1
+        for corners in FACES[kind]:
+            if len(corners) == 3:
+                corners = corners + (corners[-1],)
+            faces.append(connectivity[starts[:, None] + np.array(corners)])
+    if not faces:
+        return np.zeros((0, 4), int), is_volume
+    return np.concatenate(faces), is_volume
+
+
+def merged_points(points):
+    """For each point the number of its place: equal where points coincide."""
+    extent = float(np.ptp(points, axis=0).max()) or 1.
+    rounded = np.round((points - points.min(axis=0)) / extent * 1e7).astype(np.int64)
+    return np.unique(rounded, axis=0, return_inverse=True)[1].ravel()
+
+
+def outer_faces(points, faces):
+    """The faces that belong to one cell only."""
+    corners = np.sort(merged_points(points)[faces], axis=1)
+    _, inverse, count = np.unique(corners, axis=0, return_inverse=True,
+                                  return_counts=True)
+    return faces[count[inverse.ravel()] == 1]
+
+
+def read_fields(path, names):
+    """The Fields of a .pvtu or .vtu; raises FieldError with a reason."""
+    files = [path]
+    try:
+        if path.endswith(".pvtu"):
+            root = ElementTree.parse(path).getroot()
+            folder = os.path.dirname(path)
+            files = [os.path.join(folder, piece.get("Source"))
+                     for piece in root.iter("Piece")]
+        pieces = []
+        for name in files:
+            pieces += read_piece_file(name, names)
+    except FieldError as error:
+        raise FieldError("%s: %s" % (os.path.basename(path), error))
+    except (OSError, ElementTree.ParseError, ValueError, KeyError, TypeError,
+            IndexError, AttributeError, zlib.error, struct.error) as error:
+        raise FieldError("%s cannot be read (%s)" % (os.path.basename(path), error))
+    if not pieces:
+        raise FieldError("%s holds no cells" % os.path.basename(path))
+    shift, points, faces, volume = 0, [], [], False
+    for piece_points, connectivity, offsets, types, _ in pieces:
+        piece_faces, is_volume = faces_of(connectivity, offsets, types)
+        points.append(piece_points)
+        faces.append(piece_faces + shift)
+        shift += len(piece_points)
+        volume = volume or is_volume
+    points, faces = np.concatenate(points), np.concatenate(faces)
+    data = {name: np.concatenate([piece[4][name] for piece in pieces])
+            for name in names if all(name in piece[4] for piece in pieces)}
+    if volume:
+        faces = outer_faces(points, faces)
+    if not len(faces):
+        raise FieldError("%s holds no cells that can be drawn"
+                         % os.path.basename(path))
+    return Fields(points, faces, data)

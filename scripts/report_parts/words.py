@@ -1,0 +1,226 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""A run in words and in tables: title, case, figures, remarks."""
+import math
+import os
+
+from . import moments
+
+
+def title_of(results):
+    name = os.path.basename(os.path.realpath(results.directory))
+    name = name.replace("_", " ").replace("-", " ").strip() or "result"
+    return name[0].upper() + name[1:]
+
+
+def number(value, unit="", digits=4):
+    """A number as one writes it: 12 345, 0.0031, 4.2e-7."""
+    try:
+        value = float(value)
+    except (TypeError, ValueError):
+        return str(value)
+    if not math.isfinite(value):
+        text = str(value)
+    elif value == int(value) and abs(value) < 1e15:
+        text = "{:,}".format(int(value)).replace(",", "\u202f")
+    else:
+        text = "%.*g" % (digits, value)
+    return text + ("\u00a0" + unit if unit else "")
+
+
+def duration(seconds):
+    try:
+        seconds = float(seconds)
+    except (TypeError, ValueError):
+        return str(seconds)
+    if seconds < 120.:
+        return number(seconds, "s", 3)
+    minutes = int(round(seconds / 60.))
+    return "%d\u00a0min" % minutes if minutes < 120 else \
+        "%d\u00a0h %02d\u00a0min" % divmod(minutes, 60)
+
+
+def geometry_in_words(results):
+    name = results.parameter("Geometry/Name")
+    if name is None:
+        return ""
+    own = "Geometry/%s/" % (name[:1].upper() + name[1:])
+    width, height = results.number(own + "Width"), results.number(own + "Height")
+    text = name[:1].upper() + name[1:]
+    if width is not None and height is not None:
+        text += " of %s × %s" % (number(width), number(height, "mm"))
+    details = []
+    radius = results.number(own + "Hole radius")
+    if radius:
+        center = results.parameter(own + "Hole center")
+        details.append("a hole of radius %s" % number(radius, "mm")
+                       + (" at (%s)" % center if center else ""))
+    length = results.number(own + "Notch length")
+    if length:
+        at = results.number(own + "Notch height")
+        details.append("a notch of %s" % number(length, "mm")
+                       + (" at height %s" % number(at, "mm") if at is not None else ""))
+    return text + (" with " + " and ".join(details) if details else "")
+
+
+def case_in_words(results):
+    """Sentences on geometry, model and material; what is not known is left
+    out."""
+    sentences = []
+    geometry = geometry_in_words(results)
+    if geometry:
+        sentences.append(geometry)
+    elif isinstance(results.summary.get("case"), str):
+        sentences.append(results.summary["case"])
+    model = []
+    formulation = results.parameter("Model/Formulation")
+    if formulation:
+        model.append("%s formulation" % formulation)
+    for entry, text in (("Kinematics", "%s"), ("Crack density", "crack density %s"),
+                        ("Energy split", "split %s"),
+                        ("Pressure law", "pressure law %s"),
+                        ("Length scale", "length scale ℓ = %s"),
+                        ("Coupling", "%s coupling")):
+        value = results.parameter("Model/" + entry)
+        if value and not (entry == "Pressure law" and formulation == "displacement"):
+            if entry == "Length scale":
+                value = number(value, "mm") if is_number(value) else value
+            model.append(text % value)
+    if model:
+        text = ", ".join(model)
+        sentences.append(text[0].upper() + text[1:])
+    return ". ".join(sentences) + ("." if sentences else "")
+
+
+def is_number(text):
+    try:
+        float(text)
+        return True
+    except (TypeError, ValueError):
+        return False
+
+
+def outcome_in_words(results, force):
+    """(short, longer) on how the run ended and what became of the body."""
+    summary = results.summary
+    separated = summary.get("separated", True if force.separation is not None
+                            else None)
+    state = {True: "separated", False: "not separated"}.get(separated, "")
+    if not summary:
+        return "unfinished", "no summary was written"
+    status = summary.get("exit_status")
+    words = {0: "finished", 3: "cannot go on", 5: "stopped"}.get(status, "ended")
+    longer = summary.get("outcome") or summary.get("exit_reason") or ""
+    return ", ".join(word for word in (words, state) if word), str(longer)
+
+
+def key_figures(results, force):
+    """[(label, value, remark)] for the head of the page."""
+    summary, figures = results.summary, []
+    x = results.column("displacement_mm")
+    if force.peak is not None:
+        at = None if x is None else x[force.peak]
+        figures.append(("Peak force", number(force.values[force.peak], "N"),
+                        "" if at is None else "at " + number(at, "mm")))
+    elif "peak_force_N" in summary:
+        figures.append(("Peak force", number(summary["peak_force_N"], "N"), ""))
+    fraction = summary.get("remaining_force_fraction")
+    if fraction is None and force.peak is not None \
+            and force.peak < len(force.values) - 1 and force.values[force.peak] > 0:
+        fraction = force.values[-1] / force.values[force.peak]
+    if is_number(fraction):
+        figures.append(("Force left at the end",
+                        "%.1f\u00a0%%" % (100. * float(fraction)), "of the peak"))
+    short, _ = outcome_in_words(results, force)
+    n_steps = summary.get("steps", results.n_steps)
+    figures.append(("Outcome", short[0].upper() + short[1:],
+                    "%s accepted steps" % number(n_steps)))
+    dofs = last_known(results, "dofs")
+    if dofs is not None:
+        cells = last_known(results, "cells")
+        figures.append(("Unknowns", number(dofs), "" if cells is None else
+                        number(cells) + " cells"))
+    wall = last_known(results, "wall_time_s")
+    if wall is not None:
+        ranks = summary.get("ranks")
+        figures.append(("Computing time", duration(wall), "" if ranks is None else
+                        "%s rank%s" % (ranks, "" if ranks == 1 else "s")))
+    return figures
+
+
+def last_known(results, name):
+    """From the summary, otherwise from the last step."""
+    value = results.summary.get(name)
+    column = results.column(name)
+    if value is None and column is not None:
+        value = column[-1]
+    return value if is_number(value) and math.isfinite(float(value)) else None
+
+
+def remarks_of(results, force):
+    """What a reader has to know before believing the page."""
+    remarks = []
+    summary = results.summary
+    if summary.get("exit_status") not in (None, 0):
+        remarks.append("The run did not finish: %s (exit status %s)."
+                       % (str(summary.get("exit_reason", "no reason was given"))
+                          .rstrip("."), summary["exit_status"]))
+    remarks += results.remarks
+    rest, work = moments.imbalance(results), results.column("external_work_mJ")
+    if rest is not None and max(abs(work)) > 0.:
+        share = rest[-1] / max(abs(work))
+        if abs(share) > 0.05:
+            remarks.append(
+                "The energies do not balance: at the end %.0f %% of the largest "
+                "external work is neither stored nor spent on the crack. A crack "
+                "that runs through in one step loses energy in reality too (as "
+                "motion); elsewhere it means that steps or cells are too coarse."
+                % (100. * share))
+    coupling = results.parameter("Model/Coupling", summary.get("coupling"))
+    if coupling in ("time-lagged", "extrapolated"):
+        remarks.append(
+            "The coupling is %s: a running crack advances by about a cell per "
+            "step, so force and displacement at the drop depend on the step."
+            % coupling)
+    if summary.get("separated") is True:
+        fraction = summary.get("remaining_force_fraction")
+        if is_number(fraction) and float(fraction) > 0.1:
+            remarks.append(
+                "The separated body still carries %.0f %% of the peak force: the "
+                "residual stiffness and the pressure in the damaged band "
+                "(doc/model.md, section 3)." % (100. * float(fraction)))
+    return remarks + results.log_warnings
+
+
+def run_table(results):
+    """[(label, value)] of what the summary says."""
+    summary = results.summary
+    names = [("program", "Program"), ("version", "Version"),
+             ("revision", "Revision"), ("case", "Case"), ("ranks", "Ranks"),
+             ("cells", "Cells"), ("dofs", "Unknowns"), ("steps", "Accepted steps"),
+             ("coupling", "Coupling"), ("peak_force_N", "Peak force (N)"),
+             ("displacement_at_peak_mm", "Displacement at peak (mm)"),
+             ("time_at_peak_s", "Time at peak (s)"),
+             ("remaining_force_fraction", "Remaining force / peak"),
+             ("separated", "Separated"), ("outcome", "Outcome"),
+             ("exit_reason", "Exit reason"), ("exit_status", "Exit status"),
+             ("wall_time_s", "Wall time")]
+    rows = []
+    for name, label in names:
+        value = summary.get(name)
+        if value is None:
+            continue
+        if name == "wall_time_s":
+            value = duration(value)
+        elif isinstance(value, bool):
+            value = "yes" if value else "no"
+        elif isinstance(value, (int, float)):
+            value = number(value)
+        rows.append((label, str(value)))
+    known = {name for name, _ in names}
+    for name, value in summary.items():
+        if name not in known and isinstance(value, (str, int, float)):
+            label = name.replace("_", " ")
+            rows.append((label[:1].upper() + label[1:],
+                         "yes" if value is True else "no" if value is False else
+                         value if isinstance(value, str) else number(value)))
+    return rows

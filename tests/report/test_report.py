@@ -1,0 +1,182 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""scripts/report.py on made-up runs: whole, killed, empty, damaged."""
+import os
+import re
+import shutil
+import subprocess
+import sys
+import tempfile
+import unittest
+from html.parser import HTMLParser
+
+import synthetic_run
+
+REPORT = os.path.join(os.path.dirname(os.path.abspath(__file__)),
+                      os.pardir, os.pardir, "scripts", "report.py")
+VOID = ("meta", "img", "br", "link")
+
+
+class Balance(HTMLParser):
+    """Every element that is opened is closed, in order."""
+
+    def __init__(self):
+        super().__init__()
+        self.open = []
+
+    def handle_starttag(self, tag, attributes):
+        if tag not in VOID:
+            self.open.append(tag)
+
+    def handle_endtag(self, tag):
+        if not self.open or self.open.pop() != tag:
+            raise AssertionError("</%s> closes nothing" % tag)
+
+
+def run_report(*arguments, interpreter=(sys.executable,), **environment):
+    return subprocess.run(list(interpreter) + [REPORT] + list(arguments),
+                          stdout=subprocess.PIPE, stderr=subprocess.PIPE,
+                          universal_newlines=True,
+                          env=dict(os.environ, **environment))
+
+
+class Report(unittest.TestCase):
+    def setUp(self):
+        # a blank in the name, as users have it
+        self.directory = os.path.join(tempfile.mkdtemp(), "torn strip")
+        os.mkdir(self.directory)
+        self.addCleanup(shutil.rmtree, os.path.dirname(self.directory))
+
+    def path(self, name):
+        return os.path.join(self.directory, name)
+
+    def page(self):
+        process = run_report(self.directory)
+        self.assertEqual(process.returncode, 0, process.stderr)
+        self.assertNotIn("Traceback", process.stderr)
+        self.assertNotIn("Warning", process.stderr)
+        with open(self.path("report.html"), encoding="utf-8") as stream:
+            text = stream.read()
+        balance = Balance()
+        balance.feed(text)
+        self.assertEqual(balance.open, [])
+        for outside in re.findall(r'(?:src|href)="([^"]*)"', text):
+            self.assertTrue(outside.startswith(("data:", "#")), outside[:60])
+        self.assertNotIn("<script", text)
+        identifiers = re.findall(r'\bid="([^"]*)"', text)
+        self.assertEqual(len(identifiers), len(set(identifiers)))
+        return text
+
+    def test_whole_run(self):
+        synthetic_run.write_run(self.directory)
+        text = self.page()
+        self.assertIn("<h1>Torn strip</h1>", text)
+        self.assertIn("Punctured strip of 20 × 28", text)
+        self.assertIn("a hole of radius 4", text)
+        self.assertIn("peak: 160 N at 20 mm", text)
+        self.assertIn("separated: 10 N left (6 %)", text)
+        for moment in ("Before the crack grows", "At the peak", "After separation"):
+            self.assertIn("<b>%s</b>" % moment, text)
+        self.assertEqual(text.count("<svg"), 3)
+        # three of the phase field, the mesh, two deformed
+        self.assertEqual(text.count("data:image/png"), 6)
+        self.assertIn("imbalance", text)
+        self.assertIn("Finished, separated", text)
+
+    def test_fields_without_compression(self):
+        synthetic_run.write_run(self.directory)
+        shutil.rmtree(self.path("fields"))
+        synthetic_run.write_fields(self.directory, compressed=False)
+        self.assertEqual(self.page().count("data:image/png"), 6)
+
+    def test_same_input_same_page(self):
+        synthetic_run.write_run(self.directory)
+        first, second = self.page(), self.page()
+        without_date = r"Page made on .*? from"
+        self.assertEqual(re.sub(without_date, "", first),
+                         re.sub(without_date, "", second))
+
+    def test_killed_run(self):
+        synthetic_run.write_run(self.directory)
+        os.remove(self.path("summary.json"))
+        with open(self.path("statistics.csv")) as stream:
+            text = stream.read()
+        synthetic_run.write(self.path("statistics.csv"), text[:text.rindex(",")])
+        with open(self.path("fields.pvd")) as stream:
+            text = stream.read()
+        synthetic_run.write(self.path("fields.pvd"), text[:text.rindex("<DataSet") + 9])
+        text = self.page()
+        self.assertIn("last line of statistics.csv is incomplete", text)
+        self.assertIn("no summary.json", text)
+        self.assertIn("Unfinished", text)
+        self.assertNotIn("After separation", text)
+        self.assertIn("At the peak", text)
+
+    def test_no_fields(self):
+        synthetic_run.write_statistics(self.directory)
+        text = self.page()
+        self.assertIn("No fields have been written", text)
+        self.assertIn("peak: 160 N", text)
+
+    def test_damaged_fields(self):
+        synthetic_run.write_run(self.directory)
+        path = self.path(os.path.join("fields", "step_1.1.vtu"))
+        with open(path) as stream:
+            text = stream.read()
+        synthetic_run.write(path, text[:len(text) // 2])
+        text = self.page()
+        self.assertIn("A picture is missing", text)
+        self.assertIn("After separation", text)
+
+    def test_empty_directory(self):
+        text = self.page()
+        self.assertIn("no statistics.csv", text)
+        self.assertIn("no summary.json", text)
+
+    def test_header_only_and_nan(self):
+        synthetic_run.write(self.path("statistics.csv"), synthetic_run.COLUMNS + "\n")
+        self.assertIn("holds no step yet", self.page())
+        synthetic_run.write(
+            self.path("statistics.csv"),
+            synthetic_run.COLUMNS + "\n" + ",".join(["nan"] * 17) + "\n")
+        self.page()
+
+    def test_failed_run(self):
+        synthetic_run.write_run(self.directory, coupling="time-lagged")
+        synthetic_run.write_summary(self.directory, exit_status=3, separated=False,
+                                    exit_reason="smallest step <1e-4> reached")
+        text = self.page()
+        self.assertIn("The run did not finish: smallest step &lt;1e-4&gt; reached", text)
+        self.assertIn("The coupling is time-lagged", text)
+        self.assertNotIn("After separation", text)
+
+    def test_damaged_summary(self):
+        synthetic_run.write_statistics(self.directory)
+        synthetic_run.write(self.path("summary.json"), "{\"cells\": ")
+        self.assertIn("summary.json cannot be read", self.page())
+
+    def test_no_such_directory(self):
+        process = run_report(self.path("nowhere"))
+        self.assertEqual(process.returncode, 1)
+        self.assertIn("there is no directory", process.stderr)
+
+    def test_interpreter_without_modules(self):
+        # -S hides the installed packages; report.py has to look further
+        blind = (sys.executable, "-S")
+        process = run_report(self.directory, interpreter=blind)
+        self.assertEqual(process.returncode, 0, process.stderr)
+        process = run_report(self.directory, interpreter=blind,
+                             MIXED_CRACKS_REPORT_ATTEMPTED="1")
+        self.assertEqual(process.returncode, 1)
+        self.assertIn("python3-matplotlib", process.stderr)
+
+
+def setUpModule():
+    with tempfile.TemporaryDirectory() as directory:
+        process = run_report(directory)
+    if "no Python with matplotlib" in process.stderr:
+        raise unittest.SkipTest("no Python with matplotlib on this machine")
+
+
+if __name__ == "__main__":
+    unittest.main()
