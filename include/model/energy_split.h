@@ -45,7 +45,7 @@ namespace MixedCracks
   };
 
   /// Splits by name; the argument is n of (M3), the dimension of the
-  /// deviator, 2 or 3.
+  /// deviator, 2 or 3; in 3-d it is 3 whatever is given.
   template <int dim>
   const Registry<EnergySplit<dim>, int> &
   all_energy_splits();

@@ -90,6 +90,21 @@ TEST(ElasticConstants, EveryPairGoesRound)
 
 
 
+// the root formula loses all digits of mu here unless it is rearranged
+TEST(ElasticConstants, LambdaAndYoungsModulusKeepTheShearModulus)
+{
+  for (const double ratio : {1e-6, 1e6, 1e9})
+  {
+    const ElasticConstants elastic{2.4 * ratio, 2.4};
+    GivenElasticConstants  given;
+    given.lame_lambda    = elastic.lambda;
+    given.youngs_modulus = elastic.youngs_modulus();
+    EXPECT_NEAR(elastic_constants(given).mu / elastic.mu, 1., 1e-14);
+  }
+}
+
+
+
 TEST(ElasticConstants, TextbookValues)
 {
   const ElasticConstants elastic{3., 2.};
@@ -158,7 +173,10 @@ TEST(ElasticConstants, ImpossibleValuesAreRefusedByName)
       given.*constants[i].entry = value;
       const Constant &other     = constants[i == 0 ? 1 : 0];
       given.*other.entry        = other.value;
-      expect_contains(refusal(given), constants[i].name + " = ");
+      const std::string message = refusal(given);
+      expect_contains(message, constants[i].name + " = ");
+      // refused for itself, not for what would follow from it
+      expect_contains(message, "it must be");
     }
   for (const double ratio : {0.5, 0.7, 30.})
   {
@@ -178,6 +196,10 @@ TEST(ElasticConstants, PairsWithoutAMaterialAreRefused)
   incompressible.youngs_modulus = 7.2;
   expect_contains(refusal(incompressible), "Material/Shear modulus = 2.4");
   expect_contains(refusal(incompressible), "Material/Young's modulus = 7.2");
+
+  // ... and on the other side of it, where lambda comes out as 1e15
+  incompressible.youngs_modulus = 7.2 * (1. - 1e-15);
+  EXPECT_NE(refusal(incompressible), "accepted");
 
   GivenElasticConstants negative_lambda;
   negative_lambda.shear_modulus = 3.;
