@@ -21,22 +21,20 @@ class Force:
 
 
 def chosen_force(results):
-    """The component along the load where the other one is small, otherwise
-    the magnitude."""
-    x, y = results.column("force_x_N"), results.column("force_y_N")
-    if x is None or y is None:
-        only = x if y is None else y
-        return only, "Force (N)"
-    largest_x = np.nanmax(np.abs(x)) if np.isfinite(x).any() else 0.
-    largest_y = np.nanmax(np.abs(y)) if np.isfinite(y).any() else 0.
-    if not largest_x and not largest_y:  # no force, or no number at all
-        return y, "Force in y (N)"
-    if largest_x <= 0.2 * largest_y:
-        values, label = y, "Force in y (N)"
-    elif largest_y <= 0.2 * largest_x:
-        values, label = x, "Force in x (N)"
-    else:
-        return np.hypot(x, y), "Force, magnitude (N)"
+    """(values, label): the component along the load where the others are
+    small, otherwise the magnitude."""
+    names = [name for name in "xyz"
+             if results.column("force_%s_N" % name) is not None]
+    if not names:
+        return None, ""
+    table = np.array([results.column("force_%s_N" % name) for name in names])
+    sizes = np.nan_to_num(np.abs(table)).max(axis=1)
+    largest = int(sizes.argmax())
+    if np.delete(sizes, largest).max(initial=0.) > 0.2 * sizes[largest]:
+        return np.linalg.norm(table, axis=0), "Force, magnitude (N)"
+    values, label = table[largest], "Force in %s (N)" % names[largest]
+    if sizes[largest] == 0.:
+        return values, label
     if abs(np.nanmin(values)) > np.nanmax(values):
         return -values, label.replace("Force", "Compressive force")
     return values, label

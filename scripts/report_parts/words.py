@@ -188,7 +188,10 @@ def remarks_of(results, force):
                 "The separated body still carries %.0f %% of the peak force: the "
                 "residual stiffness and the pressure in the damaged band "
                 "(doc/model.md, section 3)." % (100. * float(fraction)))
-    return remarks + results.log_warnings
+    warnings = summary.get("warnings")
+    if not isinstance(warnings, list):  # a run that has not come to its summary
+        warnings = results.log_warnings
+    return remarks + [str(warning) for warning in warnings]
 
 
 def run_table(results):
@@ -223,4 +226,7 @@ def run_table(results):
             rows.append((label[:1].upper() + label[1:],
                          "yes" if value is True else "no" if value is False else
                          value if isinstance(value, str) else number(value)))
+    phases = summary.get("seconds_per_phase")
+    for name, seconds in (phases.items() if isinstance(phases, dict) else ()):
+        rows.append(("Time for " + name, duration(seconds)))
     return rows

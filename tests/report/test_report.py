@@ -150,6 +150,14 @@ class Report(unittest.TestCase):
         self.assertIn("The coupling is time-lagged", text)
         self.assertNotIn("After separation", text)
 
+    def test_warnings_of_the_summary(self):
+        synthetic_run.write_statistics(self.directory)
+        synthetic_run.write_summary(self.directory, warnings=["h is large"],
+                                    seconds_per_phase={"assembly": 1.5})
+        text = self.page()
+        self.assertIn("<li>h is large</li>", text)
+        self.assertIn("<td>Time for assembly</td>", text)
+
     def test_damaged_summary(self):
         synthetic_run.write_statistics(self.directory)
         synthetic_run.write(self.path("summary.json"), "{\"cells\": ")
