@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#ifndef mixed_cracks_problem_geometries_checks_h
+#define mixed_cracks_problem_geometries_checks_h
+
+#include <string>
+#include <vector>
+
+namespace MixedCracks
+{
+  /// A number as it stands in an error message: six digits, no padding.
+  std::string number_text(double value);
+
+  /// "(12, 18)".
+  std::string point_text(const std::vector<double> &coordinates);
+
+  /// Throws InputError with @p message unless @p condition holds.
+  void require(bool condition, const std::string &message);
+
+  /// Throws InputError naming @p parameter unless @p value is finite and
+  /// positive.
+  void require_positive(double value, const std::string &parameter);
+
+  /// Throws InputError naming @p parameter unless cells of @p cell_size (mm)
+  /// fit into a box with these @p extents (mm), and fewer than a million of
+  /// them fill it.
+  void require_cell_size(double                     cell_size,
+                         const std::vector<double> &extents,
+                         const std::string         &parameter);
+} // namespace MixedCracks
+
+#endif

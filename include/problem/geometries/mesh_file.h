@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#ifndef mixed_cracks_problem_geometries_mesh_file_h
+#define mixed_cracks_problem_geometries_mesh_file_h
+
+#include <problem/geometry.h>
+
+namespace MixedCracks
+{
+  /// A mesh of quadrilaterals from a file: Gmsh (.msh), Abaqus (.inp) or UCD
+  /// (.inp, .ucd), told apart by content. The ids of boundaries (Gmsh:
+  /// physical curves; Abaqus: surfaces named SS1, SS2, …; UCD: materials of
+  /// lines) get their names in the .prm; material ids are kept.
+  template <int dim>
+  class MeshFile : public Geometry<dim>
+  {
+  public:
+    void add_parameters(dealii::ParameterHandler &prm) override;
+
+    void check() const override;
+
+    std::map<std::string, dealii::types::boundary_id>
+    boundary_ids() const override;
+
+    /// One rank reads the file. Throws FileError when that fails, InputError
+    /// when it is no usable mesh or not the one that the entries describe; on
+    /// every rank alike.
+    void create(dealii::Triangulation<dim> &triangulation) const override;
+
+  private:
+    /// A boundary that is part of a circle.
+    struct Circle
+    {
+      dealii::types::boundary_id boundary;
+      std::string                name;
+      dealii::Point<dim>         center;
+      double                     radius;
+    };
+
+    std::vector<Circle> parsed_circles() const;
+
+    void
+    check_boundary_ids(const dealii::Triangulation<dim> &triangulation) const;
+
+    void set_circle(dealii::Triangulation<dim> &triangulation,
+                    const Circle               &circle,
+                    dealii::types::manifold_id  id) const;
+
+    std::string file_name;
+    std::string boundary_names;
+    std::string circles;
+  };
+} // namespace MixedCracks
+
+#endif

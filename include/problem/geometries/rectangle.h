@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#ifndef mixed_cracks_problem_geometries_rectangle_h
+#define mixed_cracks_problem_geometries_rectangle_h
+
+#include <problem/geometry.h>
+
+namespace MixedCracks
+{
+  /// A box between two corners. Boundaries: left, right, bottom, top, and
+  /// in three dimensions back (least z) and front.
+  template <int dim>
+  class Rectangle : public Geometry<dim>
+  {
+  public:
+    void add_parameters(dealii::ParameterHandler &prm) override;
+
+    void check() const override;
+
+    std::map<std::string, dealii::types::boundary_id>
+    boundary_ids() const override;
+
+    void create(dealii::Triangulation<dim> &triangulation) const override;
+
+  private:
+    dealii::Point<dim> lower_corner;
+    dealii::Point<dim> upper_corner = unit_corner();
+    double             cell_size    = 0.1;
+
+    static dealii::Point<dim> unit_corner();
+  };
+} // namespace MixedCracks
+
+#endif

@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include <problem/geometries/boundaries.h>
+#include <problem/geometries/checks.h>
+#include <problem/geometries/l_shape.h>
+#include <problem/geometries/quad_mesh.h>
+
+#include <deal.II/base/patterns.h>
+
+namespace MixedCracks
+{
+  namespace
+  {
+    enum BoundaryPart : dealii::types::boundary_id
+    {
+      left,
+      right,
+      bottom,
+      top,
+      reentrant_horizontal,
+      reentrant_vertical
+    };
+
+    const std::string subsection = "Geometry/L-shape/";
+  } // namespace
+
+
+
+  template <int dim>
+  void
+  LShape<dim>::add_parameters(dealii::ParameterHandler &prm)
+  {
+    using namespace dealii::Patterns;
+    prm.add_parameter("Size",
+                      size,
+                      "Side of the square, whose lower left corner is the "
+                      "origin; mm. Its lower right quadrant is removed.",
+                      Double(0.));
+    prm.add_parameter("Cell size",
+                      cell_size,
+                      "Wanted size of the cells of the coarse mesh, before "
+                      "refinement; mm.",
+                      Double(0.));
+  }
+
+
+
+  template <int dim>
+  void
+  LShape<dim>::check() const
+  {
+    require_positive(size, subsection + "Size");
+    require_cell_size(cell_size, {size, size}, subsection + "Cell size");
+  }
+
+
+
+  template <int dim>
+  std::map<std::string, dealii::types::boundary_id>
+  LShape<dim>::boundary_ids() const
+  {
+    return {{"left", left},
+            {"right", right},
+            {"bottom", bottom},
+            {"top", top},
+            {"reentrant horizontal", reentrant_horizontal},
+            {"reentrant vertical", reentrant_vertical}};
+  }
+
+
+
+  template <int dim>
+  void
+  LShape<dim>::create(dealii::Triangulation<dim> &triangulation) const
+  {
+    const double              half  = size / 2.;
+    const std::vector<double> lines = grid_lines({0., half, size}, cell_size);
+    tensor_mesh(lines, lines, [half](const dealii::Point<dim> &center) {
+      return center[0] > half && center[1] < half;
+    }).create(triangulation);
+
+    const double tolerance = 1e-9 * size;
+    set_boundary_ids_by_center(
+      triangulation, [&](const dealii::Point<dim> &center) -> BoundaryPart {
+        if (center[0] < tolerance)
+          return left;
+        if (center[0] > size - tolerance)
+          return right;
+        if (center[1] < tolerance)
+          return bottom;
+        if (center[1] > size - tolerance)
+          return top;
+        return center[0] > half + tolerance ? reentrant_horizontal
+                                            : reentrant_vertical;
+      });
+  }
+
+
+
+  template class LShape<2>;
+} // namespace MixedCracks

@@ -1,0 +1,210 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include <core/text.h>
+#include <problem/geometries/checks.h>
+#include <problem/geometries/mesh_file.h>
+#include <problem/geometries/mesh_reader.h>
+
+#include <deal.II/base/patterns.h>
+#include <deal.II/grid/manifold_lib.h>
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+namespace MixedCracks
+{
+  namespace
+  {
+    const std::string subsection = "Geometry/Mesh file/";
+
+    dealii::types::boundary_id
+    parsed_id(const std::string &text, const std::string &parameter)
+    {
+      const double number = parse_number(text, parameter);
+      require(number >= 0. && number <= 1e9 && number == std::floor(number),
+              parameter + ": the boundary id " + in_quotes(text) +
+                " is no integer from 0 to 1000000000.");
+      return static_cast<dealii::types::boundary_id>(number);
+    }
+  } // namespace
+
+
+
+  template <int dim>
+  void
+  MeshFile<dim>::add_parameters(dealii::ParameterHandler &prm)
+  {
+    using dealii::Patterns::Anything;
+    prm.add_parameter("File name",
+                      file_name,
+                      "Gmsh .msh (version 2 or 4, ASCII), Abaqus .inp or UCD "
+                      "mesh of four-node quadrilaterals; lengths in mm. A "
+                      "relative path starts at the working directory.",
+                      Anything());
+    prm.add_parameter("Boundary names",
+                      boundary_names,
+                      "Names for the boundary ids of the file, as in '1 = "
+                      "bottom ; 2 = top'. Boundary ids are Gmsh's physical "
+                      "curves, the numbers of Abaqus surfaces named SS1, SS2, "
+                      "..., or the materials of UCD lines; the rest of the "
+                      "boundary has the id 0.",
+                      Anything());
+    prm.add_parameter("Circles",
+                      circles,
+                      "Boundaries that are (parts of) circles, so that "
+                      "refinement puts new nodes on them: 'name : x, y : "
+                      "radius ; ...'; mm.",
+                      Anything());
+  }
+
+
+
+  template <int dim>
+  void
+  MeshFile<dim>::check() const
+  {
+    require(!file_name.empty(),
+            subsection + "File name is empty; the geometry 'mesh file' needs "
+                         "the path of a mesh.");
+    boundary_ids();
+    parsed_circles();
+  }
+
+
+
+  template <int dim>
+  std::map<std::string, dealii::types::boundary_id>
+  MeshFile<dim>::boundary_ids() const
+  {
+    const std::string parameter = subsection + "Boundary names";
+    std::map<std::string, dealii::types::boundary_id> ids;
+    std::set<dealii::types::boundary_id>              used;
+    for (const std::string &item : split_list(boundary_names, ';'))
+    {
+      const std::vector<std::string> parts = split_list(item, '=');
+      require(parts.size() == 2,
+              parameter + ": " + in_quotes(item) +
+                " is not of the form 'id = name'.");
+      const dealii::types::boundary_id id = parsed_id(parts[0], parameter);
+      require(used.insert(id).second,
+              parameter + ": the boundary id " + parts[0] + " has two names.");
+      require(ids.emplace(single_spaced(parts[1]), id).second,
+              parameter + ": the name " + in_quotes(parts[1]) +
+                " stands for two boundary ids.");
+    }
+    return ids;
+  }
+
+
+
+  template <int dim>
+  std::vector<typename MeshFile<dim>::Circle>
+  MeshFile<dim>::parsed_circles() const
+  {
+    const std::string   parameter = subsection + "Circles";
+    const auto          ids       = boundary_ids();
+    std::vector<Circle> result;
+    for (const std::string &item : split_list(circles, ';'))
+    {
+      const std::vector<std::string> parts = split_list(item, ':');
+      require(parts.size() == 3,
+              parameter + ": " + in_quotes(item) +
+                " is not of the form 'name : x, y : radius'.");
+      std::vector<std::string> names;
+      for (const auto &known : ids)
+        names.push_back(known.first);
+      const auto id = ids.find(single_spaced(parts[0]));
+      require(id != ids.end(),
+              parameter + ": " + unknown_name_message(parts[0], names));
+      const std::vector<double> center = parse_numbers(parts[1], parameter);
+      require(center.size() == dim,
+              parameter + ": the centre " + in_quotes(parts[1]) + " needs " +
+                std::to_string(dim) + " numbers.");
+      const double radius = parse_number(parts[2], parameter);
+      require(radius > 0.,
+              parameter + ": the radius " + in_quotes(parts[2]) +
+                " must be greater than 0.");
+      Circle circle = {id->second, id->first, {}, radius};
+      for (unsigned int d = 0; d < dim; ++d)
+        circle.center[d] = center[d];
+      result.push_back(circle);
+    }
+    return result;
+  }
+
+
+
+  template <int dim>
+  void
+  MeshFile<dim>::create(dealii::Triangulation<dim> &triangulation) const
+  {
+    const std::string parameter = subsection + "File name";
+    const std::string text =
+      read_file_once(file_name, triangulation.get_communicator(), parameter);
+    // the readers are only ever let at a serial mesh, every rank's own
+    dealii::Triangulation<dim> mesh;
+    const std::string          problem = read_mesh(text, mesh);
+    require(problem.empty(),
+            parameter + ": the file '" + file_name + "' " + problem + ".");
+    check_boundary_ids(mesh);
+
+    mesh.reset_all_manifolds();
+    mesh.set_all_manifold_ids(dealii::numbers::flat_manifold_id);
+    triangulation.copy_triangulation(mesh);
+    dealii::types::manifold_id manifold = 0;
+    for (const Circle &circle : parsed_circles())
+      set_circle(triangulation, circle, ++manifold);
+  }
+
+
+
+  template <int dim>
+  void
+  MeshFile<dim>::check_boundary_ids(
+    const dealii::Triangulation<dim> &triangulation) const
+  {
+    const std::vector<dealii::types::boundary_id> present =
+      triangulation.get_boundary_ids();
+    std::vector<std::string> present_names;
+    for (const dealii::types::boundary_id id : present)
+      present_names.push_back(std::to_string(id));
+    for (const auto &[name, id] : boundary_ids())
+      require(std::find(present.begin(), present.end(), id) != present.end(),
+              subsection + "Boundary names: the boundary id " +
+                std::to_string(id) + " (" + name + ") is not in '" + file_name +
+                "', which has the ids " + join_names(present_names) + ".");
+  }
+
+
+
+  template <int dim>
+  void
+  MeshFile<dim>::set_circle(dealii::Triangulation<dim>      &triangulation,
+                            const Circle                    &circle,
+                            const dealii::types::manifold_id id) const
+  {
+    for (const auto &cell : triangulation.active_cell_iterators())
+      for (const unsigned int f : cell->face_indices())
+      {
+        const auto face = cell->face(f);
+        if (!face->at_boundary() || face->boundary_id() != circle.boundary)
+          continue;
+        for (const unsigned int v : face->vertex_indices())
+        {
+          const double distance = face->vertex(v).distance(circle.center);
+          require(std::abs(distance - circle.radius) < 1e-3 * circle.radius,
+                  subsection + "Circles: a node of the boundary '" +
+                    circle.name + "' is " + number_text(distance) +
+                    " mm from the centre, not " + number_text(circle.radius) +
+                    " mm.");
+        }
+        face->set_manifold_id(id);
+      }
+    triangulation.set_manifold(id,
+                               dealii::SphericalManifold<dim>(circle.center));
+  }
+
+
+
+  template class MeshFile<2>;
+} // namespace MixedCracks

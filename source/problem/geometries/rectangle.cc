@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include <problem/geometries/checks.h>
+#include <problem/geometries/rectangle.h>
+
+#include <deal.II/base/patterns.h>
+#include <deal.II/grid/grid_generator.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace MixedCracks
+{
+  namespace
+  {
+    const std::string subsection = "Geometry/Rectangle/";
+  } // namespace
+
+
+
+  template <int dim>
+  dealii::Point<dim>
+  Rectangle<dim>::unit_corner()
+  {
+    dealii::Point<dim> corner;
+    for (unsigned int d = 0; d < dim; ++d)
+      corner[d] = 1.;
+    return corner;
+  }
+
+
+
+  template <int dim>
+  void
+  Rectangle<dim>::add_parameters(dealii::ParameterHandler &prm)
+  {
+    using namespace dealii::Patterns;
+    prm.add_parameter("Lower corner",
+                      lower_corner,
+                      "The corner with the smallest coordinates; mm.",
+                      List(Double(), dim, dim));
+    prm.add_parameter("Upper corner",
+                      upper_corner,
+                      "The corner with the largest coordinates; mm.",
+                      List(Double(), dim, dim));
+    prm.add_parameter("Cell size",
+                      cell_size,
+                      "Wanted size of the cells of the coarse mesh, before "
+                      "refinement; mm.",
+                      Double(0.));
+  }
+
+
+
+  template <int dim>
+  void
+  Rectangle<dim>::check() const
+  {
+    std::vector<double> lower, upper, extents;
+    for (unsigned int d = 0; d < dim; ++d)
+    {
+      lower.push_back(lower_corner[d]);
+      upper.push_back(upper_corner[d]);
+      extents.push_back(upper[d] - lower[d]);
+    }
+    for (const double extent : extents)
+      require(std::isfinite(extent) && extent > 0.,
+              subsection + "Upper corner is " + point_text(upper) +
+                "; every coordinate must be greater than that of the lower "
+                "corner, " +
+                point_text(lower) + ".");
+    require_cell_size(cell_size, extents, subsection + "Cell size");
+  }
+
+
+
+  template <int dim>
+  std::map<std::string, dealii::types::boundary_id>
+  Rectangle<dim>::boundary_ids() const
+  {
+    std::map<std::string, dealii::types::boundary_id> ids = {
+      {"left", 0}, {"right", 1}, {"bottom", 2}, {"top", 3}};
+    if (dim == 3)
+    {
+      ids["back"]  = 4;
+      ids["front"] = 5;
+    }
+    return ids;
+  }
+
+
+
+  template <int dim>
+  void
+  Rectangle<dim>::create(dealii::Triangulation<dim> &triangulation) const
+  {
+    std::vector<unsigned int> n_cells;
+    for (unsigned int d = 0; d < dim; ++d)
+      n_cells.push_back(static_cast<unsigned int>(std::max(
+        1., std::round((upper_corner[d] - lower_corner[d]) / cell_size))));
+    // colorized: the boundary ids 0, 1 are those at the ends in x, and so on
+    dealii::GridGenerator::subdivided_hyper_rectangle(
+      triangulation, n_cells, lower_corner, upper_corner, true);
+  }
+
+
+
+  template class Rectangle<2>;
+} // namespace MixedCracks

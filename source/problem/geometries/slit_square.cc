@@ -1,0 +1,125 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include <problem/geometries/boundaries.h>
+#include <problem/geometries/checks.h>
+#include <problem/geometries/quad_mesh.h>
+#include <problem/geometries/slit_square.h>
+
+#include <deal.II/base/patterns.h>
+
+#include <cmath>
+
+namespace MixedCracks
+{
+  namespace
+  {
+    enum BoundaryPart : dealii::types::boundary_id
+    {
+      left,
+      right,
+      bottom,
+      top,
+      slit
+    };
+
+    const std::string subsection = "Geometry/Slit square/";
+  } // namespace
+
+
+
+  template <int dim>
+  void
+  SlitSquare<dim>::add_parameters(dealii::ParameterHandler &prm)
+  {
+    using namespace dealii::Patterns;
+    prm.add_parameter("Size",
+                      size,
+                      "Side of the square, whose lower left corner is the "
+                      "origin; mm.",
+                      Double(0.));
+    prm.add_parameter("Slit height",
+                      slit_height,
+                      "y of the slit, which enters from the left edge; mm.",
+                      Double(0.));
+    prm.add_parameter("Slit length",
+                      slit_length,
+                      "Length of the slit; mm. Its nodes are doubled (but "
+                      "for the tip), and the phase field is 0 on it.",
+                      Double(0.));
+    prm.add_parameter("Cell size",
+                      cell_size,
+                      "Wanted size of the cells of the coarse mesh, before "
+                      "refinement; mm.",
+                      Double(0.));
+  }
+
+
+
+  template <int dim>
+  void
+  SlitSquare<dim>::check() const
+  {
+    require_positive(size, subsection + "Size");
+    require_cell_size(cell_size, {size, size}, subsection + "Cell size");
+    const auto check_inside = [this](const double       value,
+                                     const std::string &entry) {
+      require(value >= 1e-3 * cell_size && value <= size - 1e-3 * cell_size,
+              subsection + entry + " is " + number_text(value) +
+                " mm; it must lie between 0 and the size of " +
+                number_text(size) +
+                " mm, at least a thousandth of the cell size away from both.");
+    };
+    check_inside(slit_height, "Slit height");
+    check_inside(slit_length, "Slit length");
+  }
+
+
+
+  template <int dim>
+  std::map<std::string, dealii::types::boundary_id>
+  SlitSquare<dim>::boundary_ids() const
+  {
+    return {{"left", left},
+            {"right", right},
+            {"bottom", bottom},
+            {"top", top},
+            {"slit", slit}};
+  }
+
+
+
+  template <int dim>
+  void
+  SlitSquare<dim>::create(dealii::Triangulation<dim> &triangulation) const
+  {
+    QuadMesh mesh = tensor_mesh(grid_lines({0., slit_length, size}, cell_size),
+                                grid_lines({0., slit_height, size}, cell_size));
+    mesh.open_slit({slit_length, slit_height});
+    mesh.create(triangulation);
+
+    const double tolerance = 1e-9 * size;
+    set_boundary_ids_by_center(
+      triangulation, [&](const dealii::Point<dim> &center) -> BoundaryPart {
+        if (center[0] < tolerance)
+          return left;
+        if (center[0] > size - tolerance)
+          return right;
+        if (center[1] < tolerance)
+          return bottom;
+        return center[1] > size - tolerance ? top : slit;
+      });
+  }
+
+
+
+  template <int dim>
+  std::vector<Segment<dim>>
+  SlitSquare<dim>::slits() const
+  {
+    return {{dealii::Point<dim>(0., slit_height),
+             dealii::Point<dim>(slit_length, slit_height)}};
+  }
+
+
+
+  template class SlitSquare<2>;
+} // namespace MixedCracks

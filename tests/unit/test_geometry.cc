@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include <deal.II/grid/tria.h>
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "geometries.h"
+
+using namespace GeometryTests;
+
+
+
+TEST(Geometry, EveryNameBuildsAMesh)
+{
+  for (const std::string &name : all_geometries<2>().names())
+  {
+    SCOPED_TRACE(name);
+    if (name == "mesh file")
+      continue;
+    const auto each = geometry(name);
+    each->check();
+    dealii::Triangulation<2> triangulation;
+    each->create(triangulation);
+    EXPECT_GT(triangulation.n_active_cells(), 50u);
+    EXPECT_LT(triangulation.n_active_cells(), 500u);
+    std::vector<dealii::types::boundary_id> named;
+    for (const auto &entry : each->boundary_ids())
+      named.push_back(entry.second);
+    std::sort(named.begin(), named.end());
+    EXPECT_EQ(named, triangulation.get_boundary_ids());
+  }
+}
+
+
+TEST(Geometry, ParametersHaveASubsectionForEachName)
+{
+  GeometryParameters<2>    parameters;
+  dealii::ParameterHandler prm;
+  parameters.add_parameters(prm);
+  prm.parse_input_from_string(
+    "subsection Geometry\n set Name = rectangle\n"
+    " subsection Rectangle\n set Upper corner = 3, 2\n"
+    " set Cell size = 1\n end\n"
+    " subsection Punctured strip\n"
+    " set Width = 0\n end\nend\n");
+  parameters.check();
+  dealii::Triangulation<2> triangulation;
+  parameters.chosen().create(triangulation);
+  EXPECT_EQ(triangulation.n_active_cells(), 6u);
+}
+
+
+TEST(Geometry, SlitSquareAndLShape)
+{
+  const auto               square = geometry("slit square");
+  dealii::Triangulation<2> triangulation;
+  square->create(triangulation);
+  EXPECT_EQ(triangulation.n_active_cells(), 400u);
+  EXPECT_EQ(triangulation.n_used_vertices(), 21u * 21u + 10u);
+  EXPECT_NEAR(boundary_length(triangulation, square->boundary_ids().at("slit")),
+              1.,
+              1e-12);
+
+  const auto panel = geometry("L-shape", {{"Size", "10"}, {"Cell size", "1"}});
+  dealii::Triangulation<2> l;
+  panel->create(l);
+  EXPECT_EQ(l.n_active_cells(), 75u);
+  for (const auto &[name, length] :
+       std::map<std::string, double>{{"left", 10.},
+                                     {"top", 10.},
+                                     {"right", 5.},
+                                     {"bottom", 5.},
+                                     {"reentrant horizontal", 5.},
+                                     {"reentrant vertical", 5.}})
+    EXPECT_NEAR(
+      boundary_length(l, panel->boundary_ids().at(name)), length, 1e-12);
+}
+
+
+TEST(Geometry, RefusalsOfTheOthers)
+{
+  expect_refused("slit square", {{"Size", "0"}}, "Slit square/Size is 0");
+  expect_refused("slit square", {{"Slit height", "1"}}, "Slit height is 1");
+  expect_refused("slit square", {{"Slit length", "0"}}, "Slit length is 0");
+  expect_refused("slit square", {{"Cell size", "2"}}, "Cell size is 2");
+  expect_refused("rectangle",
+                 {{"Upper corner", "1, 0"}},
+                 "Rectangle/Upper corner is (1, 0)");
+  expect_refused("rectangle", {{"Cell size", "0"}}, "Cell size is 0");
+  expect_refused("L-shape", {{"Size", "0"}}, "L-shape/Size is 0");
+  expect_refused("L-shape", {{"Cell size", "0.1"}}, "2.5e+07 coarse cells");
+}
