@@ -78,6 +78,13 @@ namespace MixedCracks
     void
     check() const;
 
+    /// Its name in the .prm.
+    const std::string &
+    name_of_chosen() const
+    {
+      return name;
+    }
+
     /// The chosen one.
     const Geometry<dim> &
     chosen() const;

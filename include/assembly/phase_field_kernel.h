@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#ifndef mixed_cracks_assembly_phase_field_kernel_h
+#define mixed_cracks_assembly_phase_field_kernel_h
+
+#include <deal.II/fe/fe_values.h>
+
+#include <deal.II/lac/full_matrix.h>
+#include <deal.II/lac/vector.h>
+
+#include <model/material.h>
+
+#include <vector>
+
+namespace MixedCracks
+{
+  /// Energy, residual and Jacobian of the phase field on one cell: the third
+  /// line of (M5) for a given driving force. Local vectors only, per unit
+  /// thickness.
+  template <int dim>
+  class PhaseFieldKernel
+  {
+  public:
+    PhaseFieldKernel(const dealii::FiniteElement<dim> &element,
+                     const dealii::Mapping<dim>       &mapping,
+                     const dealii::Quadrature<dim>    &quadrature,
+                     const Material<dim>              &material);
+
+    void
+    reinit(
+      const typename dealii::Triangulation<dim>::cell_iterator &cell);
+
+    /// Phase field at the quadrature points from the dofs of this cell.
+    void
+    interpolate(const dealii::Vector<double> &local,
+                std::vector<double>          &values) const;
+
+    /// @p driving_force: sigma+ : eps at each quadrature point, MPa.
+    void
+    set_state(const dealii::Vector<double> &local,
+              const std::vector<double>    &driving_force);
+
+    /// N per node (energy density times area over phi), (M5) third line.
+    void
+    residual(dealii::Vector<double> &result) const;
+
+    /// Derivative of residual() by the local values.
+    void
+    jacobian(dealii::FullMatrix<double> &result) const;
+
+    /// G_c times the crack surface of the cell, N (mJ per mm thickness).
+    double
+    energy() const;
+
+    /// Integrals of the shape functions: the lumped mass matrix, mm^2.
+    void
+    lumped_mass(dealii::Vector<double> &result) const;
+
+  private:
+    struct PointState
+    {
+      double                 phase_field;
+      dealii::Tensor<1, dim> gradient;
+      double                 driving_force;
+    };
+
+    const Material<dim>    &material;
+    dealii::FEValues<dim>   fe_values;
+    std::vector<PointState> points;
+  };
+} // namespace MixedCracks
+
+#endif

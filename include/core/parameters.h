@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#ifndef mixed_cracks_core_parameters_h
+#define mixed_cracks_core_parameters_h
+
+#include <output/parameters.h>
+
+#include <problem/boundary_conditions.h>
+#include <problem/geometry.h>
+#include <problem/initial_cracks.h>
+#include <problem/mesh_parameters.h>
+#include <problem/model_parameters.h>
+
+#include <solvers/load_control.h>
+#include <solvers/parameters.h>
+
+namespace MixedCracks
+{
+  /// Everything a .prm says, gathered from the rooms. The entries of the
+  /// ParameterHandler point into this object: it stays where it is.
+  template <int dim>
+  struct Parameters
+  {
+    GeometryParameters<dim> geometry;
+    MeshParameters<dim>     mesh;
+    ModelParameters         model;
+    MaterialParameters      material;
+    BoundaryConditions<dim> boundary_conditions;
+    InitialCracks<dim>      initial_cracks;
+    LoadParameters          load;
+    SolverParameters        solver;
+    OutputParameters        output;
+
+    Parameters()                   = default;
+    Parameters(const Parameters &) = delete;
+    Parameters &
+    operator=(const Parameters &) = delete;
+
+    void
+    add_parameters(dealii::ParameterHandler &prm);
+
+    /// All checks of the rooms, and those across rooms, before anything is
+    /// allocated. Throws InputError.
+    void
+    check() const;
+
+    /// The boundary whose reaction is reported.
+    std::string
+    force_boundary() const;
+  };
+} // namespace MixedCracks
+
+#endif

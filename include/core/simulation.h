@@ -1,0 +1,131 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#ifndef mixed_cracks_core_simulation_h
+#define mixed_cracks_core_simulation_h
+
+#include <core/parameters.h>
+#include <core/simulation_setup.h>
+
+#include <deal.II/distributed/tria.h>
+
+#include <output/directory.h>
+#include <output/field_output.h>
+#include <output/quantities.h>
+#include <output/statistics.h>
+#include <output/summary.h>
+
+#include <solvers/load_control.h>
+
+#include <optional>
+
+namespace MixedCracks
+{
+  /// How a run ended.
+  struct RunOutcome
+  {
+    int         exit_status = 0; ///< as in doc/output.md
+    std::string reason;
+  };
+
+  /// The hall: owns the rooms and runs the algorithm.
+  template <int dim>
+  class Simulation
+  {
+  public:
+    /// @p effective_parameters: the complete .prm, to be kept with the
+    /// results. The parameters have passed their checks and must outlive the
+    /// simulation.
+    Simulation(const Parameters<dim> &parameters,
+               const std::string     &effective_parameters,
+               MPI_Comm               communicator,
+               Log                   &log);
+
+    /// Mesh, degrees of freedom and what can be said of them beforehand.
+    void
+    preflight();
+
+    /// The whole calculation, into the output directory.
+    RunOutcome
+    run(ExistingRun existing);
+
+  private:
+    void
+    make_mesh_and_material();
+
+    void
+    set_up_mesh_dependent();
+
+    void
+    prepare_output(ExistingRun existing);
+
+    State
+    initial_state();
+
+    /// Try steps until one is accepted (true) or the smallest has failed.
+    bool
+    advance(State &accepted);
+
+    StepOutcome
+    solve_step(const State &accepted, State &trial, double bound);
+
+    void
+    record(const State &before, const State &state, const StepOutcome &outcome);
+
+    void
+    write_fields(const State &state, unsigned int step);
+
+    void
+    write_fields_when_due(const State &state);
+
+    RunOutcome
+    finish(const State &last, bool given_up);
+
+    Summary
+    summarize(const RunOutcome &outcome);
+
+    double
+    smallest_phase_field(const State &state) const;
+
+    void
+    log_header();
+
+    void
+    collect_warnings();
+
+    void
+    log_end(const RunOutcome &outcome, const Summary &summary);
+
+    void
+    log_step(const StatisticsRow &row);
+
+    const Parameters<dim> &parameters;
+    const std::string      effective_parameters;
+    const MPI_Comm         communicator;
+    Log                   &log;
+    dealii::TimerOutput    timer;
+    dealii::Timer          wall_clock;
+
+    dealii::parallel::distributed::Triangulation<dim> triangulation;
+    double                                            cell_size = 0.; // mm
+    std::unique_ptr<Material<dim>>                    material;
+    Fields<dim>                                       fields;
+    Constraints<dim>                                  constraints;
+    std::unique_ptr<Assembler<dim>>                   assembler;
+    std::unique_ptr<ElasticStep<dim>>                 elastic_step;
+    std::unique_ptr<PhaseFieldStep<dim>>              phase_field_step;
+    std::unique_ptr<StepSolver<dim>>                  step_solver;
+    FixedPhaseField                                   fixed_phase_field;
+    LoadControl                                       load_control;
+
+    BoundaryQuantities<dim> boundary_quantities;
+    StatisticsTable         statistics;
+    FieldOutput<dim>        field_output;
+    double                  external_work = 0.; // mJ
+    State                   peak_state;
+    unsigned int            peak_step = 0;
+    bool                    separated = false;
+    std::string             case_in_words;
+    std::vector<std::string> warnings;
+  };
+} // namespace MixedCracks
+
+#endif

@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#ifndef mixed_cracks_core_simulation_setup_h
+#define mixed_cracks_core_simulation_setup_h
+
+#include <core/parameters.h>
+#include <core/step.h>
+#include <core/step_elastic.h>
+#include <core/step_phase_field.h>
+
+#include <discretization/constraints.h>
+#include <discretization/fields.h>
+
+namespace MixedCracks
+{
+  // What the .prm says in names and expressions, made into what the rooms
+  // below take: ids, functions, nodes.
+
+  /// Coarse mesh, refined as subsection "Mesh" says. Collective.
+  template <int dim>
+  void
+  make_mesh(const Parameters<dim>      &parameters,
+            dealii::Triangulation<dim> &triangulation);
+
+  /// Smallest edge-like size of the cells, diameter / sqrt(dim), mm.
+  /// Collective.
+  template <int dim>
+  double
+  smallest_cell_size(const dealii::Triangulation<dim> &triangulation,
+                     MPI_Comm                          communicator);
+
+  template <int dim>
+  std::vector<PrescribedComponent<dim>>
+  prescribed_components(const Parameters<dim> &parameters,
+                        unsigned int           n_components);
+
+  template <int dim>
+  Loads<dim>
+  make_loads(const Parameters<dim> &parameters, unsigned int n_components);
+
+  /// 1 everywhere, 0 on slits and initial cracks; without ghosts.
+  template <int dim>
+  LinearAlgebra::Vector
+  initial_phase_field(const Parameters<dim>  &parameters,
+                      const Fields<dim>      &fields,
+                      const Constraints<dim> &constraints);
+
+  /// Nodes within the unbreakable margin.
+  template <int dim>
+  dealii::IndexSet
+  unbreakable_nodes(const Parameters<dim> &parameters,
+                    const Fields<dim>     &fields);
+
+  /// Values of the phase field prescribed on the boundary at @p time.
+  template <int dim>
+  std::map<dealii::types::global_dof_index, double>
+  prescribed_phase_field(const Parameters<dim> &parameters,
+                         const Fields<dim>     &fields,
+                         double                 time);
+
+  /// How a step couples its fields.
+  CouplingOptions
+  coupling_options(const ModelParameters &model);
+} // namespace MixedCracks
+
+#endif

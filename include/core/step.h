@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#ifndef mixed_cracks_core_step_h
+#define mixed_cracks_core_step_h
+
+#include <core/log.h>
+#include <core/step_elastic.h>
+#include <core/step_phase_field.h>
+
+namespace MixedCracks
+{
+  /// Which phase field the degradation is evaluated with, (M9).
+  struct CouplingOptions
+  {
+    enum class Kind
+    {
+      time_lagged,
+      extrapolated,
+      iterated
+    };
+    Kind         kind            = Kind::iterated;
+    double       tolerance       = 1e-3; ///< of max|phi - phi~|
+    double       over_relaxation = 1.;
+    unsigned int max_iterations  = 2000;
+  };
+
+  /// What a load step came to; the same on every rank.
+  struct StepOutcome
+  {
+    /// the equations are solved, or were left because the phase field has
+    /// changed by more than allowed
+    bool         solved              = false;
+    double       phase_field_change  = 0.; ///< max(phi^(n-1) - phi^n)
+    double       coupling_change     = 0.; ///< last max|phi - phi~|
+    unsigned int coupling_iterations = 0;
+    unsigned int newton_iterations   = 0;
+    unsigned int linear_iterations   = 0;
+    dealii::types::global_dof_index active_set_size    = 0;
+    dealii::types::global_dof_index active_set_changes = 0;
+    std::string                     reason; ///< why it failed, in words
+  };
+
+  /// One load step: elastic fields and phase field in turn, as the block
+  /// triangular Jacobian of the lagged coupling has it.
+  template <int dim>
+  class StepSolver
+  {
+  public:
+    StepSolver(ElasticStep<dim>      &elastic,
+               PhaseFieldStep<dim>   &phase_field,
+               const CouplingOptions &options,
+               const NewtonOptions   &newton_options,
+               MPI_Comm               communicator,
+               Log                   &log);
+
+    /// Solve for @p trial, whose time is set, from @p accepted. Left early
+    /// when the phase field changed by more than @p bound.
+    StepOutcome
+    solve(const State           &accepted,
+          const FixedPhaseField &fixed,
+          double                 bound,
+          State                 &trial);
+
+  private:
+    void
+    start_lagged_field(const State &accepted, State &trial) const;
+
+    void
+    advance_lagged_field(const State &accepted, State &trial) const;
+
+    void
+    log_iteration(unsigned int            iteration,
+                  const NewtonOutcome    &newton,
+                  const ActiveSetOutcome &active_set,
+                  double                  change);
+
+    ElasticStep<dim>     &elastic;
+    PhaseFieldStep<dim>  &phase_field;
+    const CouplingOptions options;
+    const NewtonOptions   newton_options;
+    const MPI_Comm        communicator;
+    Log                  &log;
+  };
+} // namespace MixedCracks
+
+#endif

@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#ifndef mixed_cracks_core_step_elastic_h
+#define mixed_cracks_core_step_elastic_h
+
+#include <assembly/assembler.h>
+
+#include <core/state.h>
+
+#include <deal.II/base/timer.h>
+
+#include <discretization/constraints.h>
+
+#include <solvers/direct_solver.h>
+#include <solvers/newton.h>
+
+namespace MixedCracks
+{
+  /// Loads on the body, as the assembler takes them.
+  template <int dim>
+  struct Loads
+  {
+    std::shared_ptr<dealii::Function<dim>> body_force;
+    std::map<dealii::types::boundary_id, std::shared_ptr<dealii::Function<dim>>>
+      tractions;
+
+    bool
+    any() const
+    {
+      return body_force || !tractions.empty();
+    }
+  };
+
+  /// Displacement and pressure for a given lagged phase field: matrix,
+  /// factors and Newton's method. Analysis is kept per mesh, factors as long
+  /// as the matrix is (nearly) unchanged.
+  template <int dim>
+  class ElasticStep
+  {
+  public:
+    struct Counts
+    {
+      unsigned int factorizations = 0;
+      unsigned int solves         = 0;
+    };
+
+    ElasticStep(const Fields<dim>      &fields,
+                const Constraints<dim> &constraints,
+                Assembler<dim>         &assembler,
+                Loads<dim>              loads,
+                dealii::TimerOutput    &timer);
+
+    /// To be called when the mesh changed.
+    LinearOutcome
+    reinit();
+
+    /// A start for the step to trial.time from the accepted state: scaled
+    /// where the load is proportional, which is exact while nothing breaks.
+    void
+    predict(const State &accepted, State &trial) const;
+
+    /// Solve for trial.elastic with trial.lagged_phase_field; sets
+    /// trial.reaction too. At most @p max_iterations Newton iterations.
+    NewtonOutcome
+    solve(State &trial, const NewtonOptions &options);
+
+    /// Work of the loads between two states by the trapezoidal rule, and of
+    /// the supports; N (mJ per mm thickness).
+    double
+    external_work(const State &before, const State &after) const;
+
+    const Counts &
+    counts() const
+    {
+      return count;
+    }
+
+    const DirectSolver &
+    linear_solver() const
+    {
+      return solver;
+    }
+
+  private:
+    LinearAlgebra::Vector
+    external_forces(double time) const;
+
+    ResidualSize
+    evaluate_residual(const State &trial);
+
+    LinearOutcome
+    update_matrix(const State &trial, bool force);
+
+    const Fields<dim>      &fields;
+    const Constraints<dim> &constraints;
+    Assembler<dim>         &assembler;
+    Loads<dim>              loads;
+    dealii::TimerOutput    &timer;
+
+    std::vector<bool>           pressure_dofs; // owned ones, in order
+    LinearAlgebra::SparseMatrix matrix;
+    DirectSolver                solver;
+    LinearAlgebra::Vector       iterate;
+    LinearAlgebra::Vector       full_residual;
+    LinearAlgebra::Vector       residual;
+    LinearAlgebra::Vector       correction;
+    LinearAlgebra::Vector       external;
+    ElasticAssessment           assessment;
+    Counts                      count;
+  };
+} // namespace MixedCracks
+
+#endif

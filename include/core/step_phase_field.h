@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#ifndef mixed_cracks_core_step_phase_field_h
+#define mixed_cracks_core_step_phase_field_h
+
+#include <assembly/assembler.h>
+
+#include <core/state.h>
+
+#include <deal.II/base/timer.h>
+
+#include <discretization/constraints.h>
+
+#include <solvers/active_set.h>
+
+namespace MixedCracks
+{
+  /// Nodes of the phase field that cannot move freely, besides its bounds.
+  struct FixedPhaseField
+  {
+    /// owned nodes that keep the value they have (unbreakable material)
+    dealii::IndexSet frozen;
+    /// owned nodes with a given value, at the present time
+    std::map<dealii::types::global_dof_index, double> prescribed;
+  };
+
+  /// The phase field for given displacement and pressure, between 0 and that
+  /// of the last step.
+  template <int dim>
+  class PhaseFieldStep
+  {
+  public:
+    PhaseFieldStep(const Fields<dim>      &fields,
+                   const Constraints<dim> &constraints,
+                   const Material<dim>    &material,
+                   Assembler<dim>         &assembler,
+                   dealii::TimerOutput    &timer);
+
+    /// To be called when the mesh changed.
+    void
+    reinit();
+
+    /// Solve for trial.phase_field.
+    ActiveSetOutcome
+    solve(const State &accepted, const FixedPhaseField &fixed, State &trial);
+
+  private:
+    void
+    set_bounds(const State &accepted, const FixedPhaseField &fixed);
+
+    const Fields<dim>      &fields;
+    const Constraints<dim> &constraints;
+    Assembler<dim>         &assembler;
+    dealii::TimerOutput    &timer;
+    ActiveSetSolver         solver;
+    /// the matrix does not depend on the phase field, so that one active-set
+    /// solution is the end
+    const bool is_quadratic;
+
+    LinearAlgebra::SparseMatrix matrix;
+    std::vector<bool>           constrained;
+    LinearAlgebra::Vector       iterate;
+    LinearAlgebra::Vector       residual;
+    LinearAlgebra::Vector       lower;
+    LinearAlgebra::Vector       upper;
+    LinearAlgebra::Vector       mass;
+  };
+} // namespace MixedCracks
+
+#endif

@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#ifndef mixed_cracks_discretization_constraints_h
+#define mixed_cracks_discretization_constraints_h
+
+#include <deal.II/base/function.h>
+
+#include <deal.II/lac/affine_constraints.h>
+
+#include <discretization/fields.h>
+
+#include <memory>
+#include <vector>
+
+namespace MixedCracks
+{
+  /// One displacement component given on a part of the boundary.
+  template <int dim>
+  struct PrescribedComponent
+  {
+    dealii::types::boundary_id boundary;
+    unsigned int               component;
+    /// value in mm; has as many components as the elastic element, of which
+    /// `component` is asked; its time is set before
+    std::shared_ptr<dealii::Function<dim>> value;
+  };
+
+  /// Hanging nodes and prescribed displacements. Newton corrections vanish on
+  /// the prescribed dofs; residuals are assembled with the hanging nodes only,
+  /// so that their rows there are the nodal reactions.
+  template <int dim>
+  class Constraints
+  {
+  public:
+    Constraints(const Fields<dim>                    &fields,
+                std::vector<PrescribedComponent<dim>> prescribed);
+
+    /// To be called when the mesh changed.
+    void
+    reinit();
+
+    /// The prescribed values at @p time written into @p elastic (without
+    /// ghosts), and hanging nodes made to fit.
+    void
+    apply_prescribed(double time, LinearAlgebra::Vector &elastic) const;
+
+    /// Zero everything but the rows of prescribed dofs (of a vector without
+    /// ghosts): from a residual to the reaction.
+    void
+    keep_prescribed(LinearAlgebra::Vector &residual) const;
+
+    /// Zero the rows of prescribed dofs: from a residual to a right hand side.
+    void
+    drop_prescribed(LinearAlgebra::Vector &residual) const;
+
+    const dealii::AffineConstraints<double> &
+    elastic_hanging_nodes() const
+    {
+      return elastic_hanging;
+    }
+
+    const dealii::AffineConstraints<double> &
+    elastic_corrections() const
+    {
+      return elastic_newton;
+    }
+
+    const dealii::AffineConstraints<double> &
+    phase_field_hanging_nodes() const
+    {
+      return phase_field_hanging;
+    }
+
+    const std::vector<PrescribedComponent<dim>> &
+    prescribed_components() const
+    {
+      return prescribed;
+    }
+
+  private:
+    std::vector<bool>
+    mask_of(const PrescribedComponent<dim> &entry) const;
+
+    const Fields<dim>                    &fields;
+    std::vector<PrescribedComponent<dim>> prescribed;
+
+    dealii::AffineConstraints<double> elastic_hanging;
+    dealii::AffineConstraints<double> elastic_newton;
+    dealii::AffineConstraints<double> phase_field_hanging;
+    dealii::IndexSet                  prescribed_dofs; // owned
+  };
+} // namespace MixedCracks
+
+#endif

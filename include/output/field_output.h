@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#ifndef mixed_cracks_output_field_output_h
+#define mixed_cracks_output_field_output_h
+
+#include <core/state.h>
+
+#include <deal.II/lac/vector.h>
+
+#include <discretization/fields.h>
+
+#include <map>
+#include <set>
+#include <string>
+#include <vector>
+
+namespace MixedCracks
+{
+  /// fields.pvd and fields/*.pvtu, for ParaView.
+  template <int dim>
+  class FieldOutput
+  {
+  public:
+    /// @p directory: the output directory, with "fields" in it.
+    FieldOutput(const Fields<dim> &fields, const std::string &directory);
+
+    /// Write @p state as step @p step unless that step is written already.
+    /// @p cell_data: further values per active cell, by name. Throws
+    /// FileError. Collective.
+    void
+    write(const State                                        &state,
+          unsigned int                                        step,
+          const std::map<std::string, dealii::Vector<float>> &cell_data);
+
+    bool
+    has(const unsigned int step) const
+    {
+      return steps.count(step) > 0;
+    }
+
+    /// Continue the list of a resumed run.
+    void
+    restore(const std::vector<std::pair<double, std::string>> &earlier);
+
+    const std::vector<std::pair<double, std::string>> &
+    records() const
+    {
+      return times_and_names;
+    }
+
+  private:
+    void
+    write_collection() const;
+
+    const Fields<dim>                          &fields;
+    const std::string                           directory;
+    std::set<unsigned int>                      steps;
+    std::vector<std::pair<double, std::string>> times_and_names;
+  };
+} // namespace MixedCracks
+
+#endif

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#ifndef mixed_cracks_output_parameters_h
+#define mixed_cracks_output_parameters_h
+
+#include <deal.II/base/parameter_handler.h>
+
+#include <string>
+
+namespace MixedCracks
+{
+  /// Subsection "Output".
+  struct OutputParameters
+  {
+    std::string directory    = "results";
+    int         fields_every = 10;
+
+    /// Enters the subsection itself.
+    void
+    add_parameters(dealii::ParameterHandler &prm);
+
+    /// Throws InputError for an empty directory name.
+    void
+    check() const;
+  };
+} // namespace MixedCracks
+
+#endif

@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#ifndef mixed_cracks_problem_boundary_conditions_h
+#define mixed_cracks_problem_boundary_conditions_h
+
+#include <core/expression.h>
+
+#include <deal.II/base/function.h>
+#include <deal.II/base/parameter_handler.h>
+#include <deal.II/base/types.h>
+
+#include <map>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace MixedCracks
+{
+  /// Expressions in x, y, z, t, one per component; a component without one
+  /// is 0.
+  template <int dim>
+  class ExpressionFunction : public dealii::Function<dim>
+  {
+  public:
+    explicit ExpressionFunction(const unsigned int n_components)
+      : dealii::Function<dim>(n_components)
+      , expressions(n_components)
+    {}
+
+    void
+    set(const unsigned int component, std::shared_ptr<const Expression> value)
+    {
+      expressions[component] = std::move(value);
+    }
+
+    double
+    value(const dealii::Point<dim> &point,
+          const unsigned int        component) const override;
+
+  private:
+    std::vector<std::shared_ptr<const Expression>> expressions;
+  };
+
+  /// One entry "boundary : component : expression", or "component :
+  /// expression" where there is no boundary.
+  template <int dim>
+  struct BoundaryEntry
+  {
+    std::string                       boundary;
+    unsigned int                      component; ///< dim: the phase field
+    std::shared_ptr<const Expression> expression;
+  };
+
+  /// Subsection "Boundary conditions".
+  template <int dim>
+  class BoundaryConditions
+  {
+  public:
+    using BoundaryIds = std::map<std::string, dealii::types::boundary_id>;
+
+    /// Enters the subsection itself.
+    void
+    add_parameters(dealii::ParameterHandler &prm);
+
+    /// Throws InputError for entries that cannot be read or name a boundary
+    /// that is not in @p boundaries.
+    void
+    check(const BoundaryIds &boundaries) const;
+
+    /// Entries of "Displacement", 'all' spread over the components; those on
+    /// the phase field have component dim.
+    std::vector<BoundaryEntry<dim>>
+    displacements() const;
+
+    /// Nodal loads by boundary, components 0 to dim - 1; MPa.
+    std::map<std::string, std::shared_ptr<ExpressionFunction<dim>>>
+    tractions(unsigned int n_components) const;
+
+    /// N/mm^3; null when there is none.
+    std::shared_ptr<ExpressionFunction<dim>>
+    body_force(unsigned int n_components) const;
+
+    /// mm
+    double
+    unbreakable_margin() const
+    {
+      return margin;
+    }
+
+  private:
+    std::string displacement_text;
+    std::string traction_text;
+    std::string body_force_text;
+    double      margin = 0.;
+  };
+} // namespace MixedCracks
+
+#endif

@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#ifndef mixed_cracks_problem_model_parameters_h
+#define mixed_cracks_problem_model_parameters_h
+
+#include <deal.II/base/parameter_handler.h>
+
+#include <model/material.h>
+
+#include <string>
+
+namespace MixedCracks
+{
+  /// Subsection "Model": which equations are solved.
+  struct ModelParameters
+  {
+    std::string formulation         = "mixed";
+    std::string displacement_degree = "auto";
+    std::string kinematics          = "plane stress";
+    std::string deviator_dimension  = "auto";
+    std::string crack_density       = "Wu";
+    std::string energy_split        = "volumetric-deviatoric";
+    std::string pressure_law        = "relaxed bulk";
+    double      relaxation          = 1.;
+    std::string length_scale        = "2*h";
+    std::string residual_stiffness  = "0.001";
+    std::string coupling            = "iterated";
+    double      coupling_tolerance  = 1e-3;
+    double      over_relaxation     = 1.5;
+    int         max_iterations      = 2000;
+
+    /// Enters the subsection itself.
+    void
+    add_parameters(dealii::ParameterHandler &prm);
+
+    /// Throws InputError for values that cannot be combined.
+    void
+    check() const;
+
+    bool
+    mixed() const
+    {
+      return formulation == "mixed";
+    }
+
+    /// Polynomial degree of the displacement.
+    unsigned int
+    degree() const;
+
+    /// n of (M3) for a @p dim -dimensional problem.
+    int
+    deviator(int dim) const;
+
+    /// The length scale (mm) for the cell size @p h (mm).
+    double
+    evaluate_length_scale(double h) const;
+
+    /// kappa for the cell size @p h (mm).
+    double
+    evaluate_residual_stiffness(double h) const;
+  };
+
+  /// Subsection "Material".
+  struct MaterialParameters
+  {
+    // as text, since empty means not given
+    std::string lame_lambda;
+    std::string shear_modulus;
+    std::string youngs_modulus;
+    std::string poisson_ratio;
+    std::string bulk_modulus;
+
+    double critical_energy_release_rate = 1.;
+    double thickness                    = 1.;
+
+    /// Enters the subsection itself.
+    void
+    add_parameters(dealii::ParameterHandler &prm);
+
+    /// Throws InputError unless exactly one admissible pair is given.
+    void
+    check() const;
+
+    /// As given, three-dimensional.
+    ElasticConstants
+    elastic() const;
+  };
+
+  /// All that a Material needs, for the cell size @p h (mm).
+  MaterialDescription
+  describe_material(const ModelParameters    &model,
+                    const MaterialParameters &material,
+                    int                       dim,
+                    double                    h);
+} // namespace MixedCracks
+
+#endif

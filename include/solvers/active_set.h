@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#ifndef mixed_cracks_solvers_active_set_h
+#define mixed_cracks_solvers_active_set_h
+
+#include <core/linear_algebra.h>
+
+#include <solvers/direct_solver.h>
+
+#include <vector>
+
+namespace MixedCracks
+{
+  /// A quadratic problem with bounds: minimise 1/2 x.Kx + ... with
+  /// lower <= x <= upper, given by its residual at the start. Vectors without
+  /// ghosts.
+  struct BoundedProblem
+  {
+    const LinearAlgebra::SparseMatrix &matrix;
+    const LinearAlgebra::Vector       &lower;
+    const LinearAlgebra::Vector       &upper;
+    /// lumped mass: residual / scale is an energy density (MPa)
+    const LinearAlgebra::Vector &scale;
+    /// owned dofs that a constraint determines: never active, never moved
+    const std::vector<bool> &constrained;
+  };
+
+  struct ActiveSetOptions
+  {
+    /// c of the criterion, an energy density (MPa): 10 G_c / l
+    double       weight                = 1.;
+    double       relative_tolerance    = 1e-10; ///< of the linear solves
+    unsigned int max_iterations        = 100;
+    unsigned int max_linear_iterations = 1000;
+  };
+
+  struct ActiveSetOutcome
+  {
+    bool         converged         = false;
+    unsigned int iterations        = 0;
+    unsigned int linear_iterations = 0;
+    /// dofs held at a bound at the end, and how many changed sides in all
+    dealii::types::global_dof_index n_active  = 0;
+    dealii::types::global_dof_index n_changes = 0;
+    /// largest residual of a free dof over its scale at the end, MPa
+    double      residual = 0.;
+    std::string reason; ///< why it stopped short, in words
+  };
+
+  /// Primal-dual active set method [HWW15] with two bounds. The sets are
+  /// algebraic: the matrix is assembled once, each iteration solves on the
+  /// free dofs only, by conjugate gradients (few and well-conditioned
+  /// unknowns), or GMRES where the operator of Wu's functional is indefinite.
+  class ActiveSetSolver
+  {
+  public:
+    explicit ActiveSetSolver(const ActiveSetOptions &options)
+      : options(options)
+    {}
+
+    /// @p solution and @p residual (the gradient at it) on entry at the start,
+    /// on exit at the solution. Collective.
+    ActiveSetOutcome
+    solve(const BoundedProblem  &problem,
+          LinearAlgebra::Vector &solution,
+          LinearAlgebra::Vector &residual) const;
+
+  private:
+    enum class Side : char
+    {
+      free,
+      lower,
+      upper
+    };
+
+    std::vector<Side>
+    decide_sides(const BoundedProblem        &problem,
+                 const LinearAlgebra::Vector &solution,
+                 const LinearAlgebra::Vector &residual) const;
+
+    LinearOutcome
+    compute_correction(const BoundedProblem        &problem,
+                       const std::vector<Side>     &sides,
+                       const LinearAlgebra::Vector &solution,
+                       const LinearAlgebra::Vector &residual,
+                       LinearAlgebra::Vector       &correction) const;
+
+    ActiveSetOptions options;
+  };
+} // namespace MixedCracks
+
+#endif

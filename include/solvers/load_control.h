@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#ifndef mixed_cracks_solvers_load_control_h
+#define mixed_cracks_solvers_load_control_h
+
+#include <deal.II/base/parameter_handler.h>
+
+#include <string>
+
+namespace MixedCracks
+{
+  /// Subsection "Load stepping".
+  struct LoadParameters
+  {
+    double end_time                   = 1.;
+    double first_step                 = 0.1;
+    double largest_step               = 0.1;
+    double onset_step                 = 0.01;
+    double smallest_step              = 1e-4;
+    double largest_phase_field_change = 0.3;
+    double stop_fraction              = 0.;
+    std::string force_boundary;
+
+    /// Enters the subsection itself.
+    void
+    add_parameters(dealii::ParameterHandler &prm);
+
+    /// Throws InputError when the steps are not in order.
+    void
+    check() const;
+  };
+
+  /// Chooses the load steps: halves them when a step failed or the phase
+  /// field changed too much, lets them grow after easy steps, and knows two
+  /// floors, see doc/model.md, section 5.
+  class LoadControl
+  {
+  public:
+    enum class Verdict
+    {
+      accept,
+      repeat, ///< with the smaller step that is set now
+      give_up ///< the smallest step failed
+    };
+
+    explicit LoadControl(const LoadParameters &parameters);
+
+    /// Time after the step that is to be tried, s.
+    double
+    target_time() const;
+
+    /// The step that is to be tried, s.
+    double
+    step() const
+    {
+      return time_step;
+    }
+
+    /// The bound on the change of the phase field that holds for the present
+    /// step; infinity at the onset step and below.
+    double
+    phase_field_bound() const;
+
+    /// Judge the step that was tried.
+    Verdict
+    judge(bool converged, double phase_field_change);
+
+    /// Whether the end time is reached.
+    bool
+    at_end() const;
+
+    /// Watch the force: true when it has fallen below the fraction of its
+    /// peak at which the run is to stop.
+    bool
+    is_separated(double force);
+
+    double
+    peak_force() const
+    {
+      return peak;
+    }
+
+    unsigned int
+    n_rejected() const
+    {
+      return rejected;
+    }
+
+    /// Continue from a checkpoint.
+    void
+    restore(double time, double step, double peak_force);
+
+  private:
+    void
+    limit_step();
+
+    LoadParameters parameters;
+    double         time = 0.;
+    double         time_step;
+    double         peak     = 0.;
+    unsigned int   rejected = 0;
+  };
+} // namespace MixedCracks
+
+#endif

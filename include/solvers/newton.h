@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#ifndef mixed_cracks_solvers_newton_h
+#define mixed_cracks_solvers_newton_h
+
+#include <core/linear_algebra.h>
+
+#include <solvers/direct_solver.h>
+
+#include <functional>
+#include <string>
+
+namespace MixedCracks
+{
+  /// Size of a residual relative to the terms that cancel in it; the same on
+  /// every rank.
+  struct ResidualSize
+  {
+    double displacement = 0.;
+    double pressure     = 0.;
+
+    double
+    largest() const
+    {
+      return std::max(displacement, pressure);
+    }
+  };
+
+  struct NewtonOptions
+  {
+    double       tolerance          = 1e-8; ///< of ResidualSize::largest()
+    unsigned int max_iterations     = 25;
+    unsigned int max_bisections     = 6; ///< of the line search
+    /// an old matrix is given up when it reduces the residual by less
+    double required_reduction = 0.1;
+  };
+
+  struct NewtonOutcome
+  {
+    bool         converged         = false;
+    unsigned int iterations        = 0;
+    unsigned int linear_iterations = 0;
+    ResidualSize first;
+    ResidualSize last;
+    std::string  reason; ///< why it stopped short, in words
+  };
+
+  /// What Newton's method sees of a problem: callbacks, all collective.
+  struct NewtonProblem
+  {
+    /// Evaluate the residual at the present iterate and keep it.
+    std::function<ResidualSize()> residual;
+    /// Make the matrix that of the present iterate. @p force: also when the
+    /// one at hand is near enough to be tried first.
+    std::function<LinearOutcome(bool force)> update_matrix;
+    /// Solve for the correction of the kept residual.
+    std::function<LinearOutcome()> solve;
+    /// Move the iterate by @p factor times the correction.
+    std::function<void(double factor)> move;
+  };
+
+  /// Semismooth Newton with bisection line search. Between the kinks of the
+  /// split the elastic problem is linear, so one iteration is the rule; an
+  /// old matrix is used as long as it contracts.
+  NewtonOutcome
+  solve_newton(const NewtonProblem &problem, const NewtonOptions &options);
+} // namespace MixedCracks
+
+#endif

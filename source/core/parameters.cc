@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include <core/parameters.h>
+
+namespace MixedCracks
+{
+  template <int dim>
+  void
+  Parameters<dim>::add_parameters(dealii::ParameterHandler &prm)
+  {
+    geometry.add_parameters(prm);
+    mesh.add_parameters(prm);
+    model.add_parameters(prm);
+    material.add_parameters(prm);
+    boundary_conditions.add_parameters(prm);
+    initial_cracks.add_parameters(prm);
+    load.add_parameters(prm);
+    solver.add_parameters(prm);
+    output.add_parameters(prm);
+  }
+
+
+
+  template <int dim>
+  std::string
+  Parameters<dim>::force_boundary() const
+  {
+    if (!load.force_boundary.empty())
+      return load.force_boundary;
+    for (const auto &entry : boundary_conditions.displacements())
+      if (entry.component < dim)
+        return entry.boundary;
+    return "";
+  }
+
+
+
+  template <int dim>
+  void
+  Parameters<dim>::check() const
+  {
+    geometry.check();
+    mesh.check();
+    model.check();
+    material.check();
+    const auto boundaries = geometry.chosen().boundary_ids();
+    boundary_conditions.check(boundaries);
+    initial_cracks.check();
+    load.check();
+    output.check();
+
+    std::vector<std::string> prescribed;
+    for (const auto &entry : boundary_conditions.displacements())
+      if (entry.component < dim &&
+          std::find(prescribed.begin(), prescribed.end(), entry.boundary) ==
+            prescribed.end())
+        prescribed.push_back(entry.boundary);
+    const std::string force = force_boundary();
+    if (std::find(prescribed.begin(), prescribed.end(), force) ==
+        prescribed.end())
+      throw InputError("Load stepping/Force boundary: " +
+                       unknown_name_message(force, prescribed) +
+                       " These are the boundaries with prescribed "
+                       "displacement, where there is a reaction.");
+  }
+
+
+
+  template struct Parameters<2>;
+} // namespace MixedCracks

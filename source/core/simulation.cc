@@ -1,0 +1,189 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include <core/simulation.h>
+
+#include <iostream>
+
+namespace MixedCracks
+{
+  using namespace dealii;
+
+  template <int dim>
+  Simulation<dim>::Simulation(const Parameters<dim> &parameters,
+                              const std::string     &effective_parameters,
+                              const MPI_Comm         communicator,
+                              Log                   &log)
+    : parameters(parameters)
+    , effective_parameters(effective_parameters)
+    , communicator(communicator)
+    , log(log)
+    , timer(communicator, std::cout, TimerOutput::never, TimerOutput::wall_times)
+    , triangulation(communicator)
+    , fields(triangulation,
+             {parameters.model.mixed(), parameters.model.degree()})
+    , constraints(fields,
+                  prescribed_components(parameters,
+                                        dim +
+                                          (parameters.model.mixed() ? 1 : 0)))
+    , load_control(parameters.load)
+    , boundary_quantities(fields,
+                          constraints,
+                          parameters.geometry.chosen().boundary_ids().at(
+                            parameters.force_boundary()))
+    , statistics(communicator)
+    , field_output(fields, parameters.output.directory)
+  {}
+
+
+
+  template <int dim>
+  RunOutcome
+  Simulation<dim>::run(const ExistingRun existing)
+  {
+    prepare_output(existing);
+    preflight();
+    set_up_mesh_dependent();
+
+    State accepted = initial_state();
+    while (!load_control.at_end() && !separated)
+      if (!advance(accepted))
+        return finish(accepted, true);
+    return finish(accepted, false);
+  }
+
+
+
+  template <int dim>
+  void
+  Simulation<dim>::make_mesh_and_material()
+  {
+    TimerOutput::Scope scope(timer, "setup");
+    make_mesh(parameters, triangulation);
+    cell_size = smallest_cell_size(triangulation, communicator);
+    material  = std::make_unique<Material<dim>>(describe_material(
+      parameters.model, parameters.material, dim, cell_size));
+    fields.distribute();
+  }
+
+
+
+  template <int dim>
+  void
+  Simulation<dim>::set_up_mesh_dependent()
+  {
+    const unsigned int n_components = fields.elastic.get_fe().n_components();
+    constraints.reinit();
+    assembler    = std::make_unique<Assembler<dim>>(fields, *material);
+    elastic_step = std::make_unique<ElasticStep<dim>>(
+      fields,
+      constraints,
+      *assembler,
+      make_loads(parameters, n_components),
+      timer);
+    phase_field_step = std::make_unique<PhaseFieldStep<dim>>(
+      fields, constraints, *material, *assembler, timer);
+    step_solver =
+      std::make_unique<StepSolver<dim>>(*elastic_step,
+                                        *phase_field_step,
+                                        coupling_options(parameters.model),
+                                        parameters.solver.newton,
+                                        communicator,
+                                        log);
+    const LinearOutcome analysis = elastic_step->reinit();
+    if (!analysis.success)
+      throw std::runtime_error(analysis.reason);
+    phase_field_step->reinit();
+    boundary_quantities.reinit();
+    fixed_phase_field.frozen = unbreakable_nodes(parameters, fields);
+    log.line("linear solver: direct, " +
+             elastic_step->linear_solver().package());
+  }
+
+
+
+  template <int dim>
+  State
+  Simulation<dim>::initial_state()
+  {
+    State state;
+    state.elastic     = fields.ghosted_vector(fields.elastic_dofs);
+    state.reaction    = state.elastic;
+    state.phase_field = fields.ghosted_vector(fields.phase_field_dofs);
+    // named, since a temporary would be moved and take the ghosts away
+    const LinearAlgebra::Vector start =
+      initial_phase_field(parameters, fields, constraints);
+    state.phase_field = start;
+    state.lagged_phase_field   = state.phase_field;
+    state.previous_phase_field = state.phase_field;
+
+    // Around slits and initial cracks the phase field takes its profile
+    // before any load: this is no damage of the first step.
+    log.line("");
+    log.line("step 0: profile of the initial cracks");
+    State             relaxed = state;
+    const StepOutcome outcome =
+      solve_step(state, relaxed, std::numeric_limits<double>::infinity());
+    if (!outcome.solved)
+      throw std::runtime_error("the initial state cannot be computed: " +
+                               outcome.reason);
+    relaxed.previous_phase_field = relaxed.phase_field;
+    record(relaxed, relaxed, outcome);
+    return relaxed;
+  }
+
+
+
+  template <int dim>
+  StepOutcome
+  Simulation<dim>::solve_step(const State &accepted,
+                              State       &trial,
+                              const double bound)
+  {
+    fixed_phase_field.prescribed =
+      prescribed_phase_field(parameters, fields, trial.time);
+    return step_solver->solve(accepted, fixed_phase_field, bound, trial);
+  }
+
+
+
+  template <int dim>
+  bool
+  Simulation<dim>::advance(State &accepted)
+  {
+    while (true)
+      {
+        State trial     = accepted;
+        trial.time      = load_control.target_time();
+        trial.time_step = load_control.step();
+        log.line("");
+        log.line(printed("step %zu: t = %.6g s, dt = %.4g s",
+                         statistics.rows().size(),
+                         trial.time,
+                         trial.time_step));
+        const StepOutcome outcome =
+          solve_step(accepted, trial, load_control.phase_field_bound());
+        switch (
+          load_control.judge(outcome.solved, outcome.phase_field_change))
+          {
+            case LoadControl::Verdict::accept:
+              trial.previous_phase_field = accepted.phase_field;
+              record(accepted, trial, outcome);
+              accepted = trial;
+              return true;
+            case LoadControl::Verdict::repeat:
+              log.line(
+                outcome.solved ?
+                  printed("  rejected: the phase field changed by %.3g",
+                          outcome.phase_field_change) :
+                  "  rejected: " + outcome.reason);
+              break;
+            case LoadControl::Verdict::give_up:
+              log.line("  failed at the smallest step: " + outcome.reason);
+              return false;
+          }
+      }
+  }
+
+
+
+  template class Simulation<2>;
+} // namespace MixedCracks

@@ -1,0 +1,178 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include <core/simulation.h>
+#include <core/version.h>
+
+#include <cmath>
+
+namespace MixedCracks
+{
+  using namespace dealii;
+
+  namespace
+  {
+    // bytes per degree of freedom that a direct solution was seen to need,
+    // factors of the (u, p) matrix included (doc/performance.md)
+    constexpr double bytes_per_dof = 3500.;
+
+    std::string
+    locking_in_words(const ElasticConstants &given, const bool mixed)
+    {
+      const double ratio = given.lambda / given.mu;
+      std::string  text  = printed("lambda/mu = %.4g, nu = %.5f", ratio,
+                                 given.poisson_ratio());
+      if (ratio < 50.)
+        return text + ": compressible enough for either formulation";
+      return text + (mixed ? ": nearly incompressible, handled by the mixed "
+                             "formulation" :
+                             ": nearly incompressible; the displacement "
+                             "formulation locks");
+    }
+  } // namespace
+
+
+
+  template <int dim>
+  void
+  Simulation<dim>::log_header()
+  {
+    const ModelParameters     &model     = parameters.model;
+    const MaterialDescription &constants = material->description();
+    case_in_words =
+      parameters.geometry.name_of_chosen() + ", " + model.formulation + ", " +
+      model.kinematics + ", " + model.crack_density + ", split " +
+      model.energy_split + ", " + model.pressure_law + ", coupling " +
+      model.coupling;
+    log.line(std::string("mixed-cracks ") + MIXED_CRACKS_VERSION +
+             ", revision " + MIXED_CRACKS_REVISION + ", deal.II " +
+             DEAL_II_PACKAGE_VERSION);
+    log.line("case: " + case_in_words);
+    log.line(printed(
+      "ranks: %u; cells: %llu; dofs: %llu (u, p: %llu; phi: %llu)",
+      Utilities::MPI::n_mpi_processes(communicator),
+      static_cast<unsigned long long>(triangulation.n_global_active_cells()),
+      static_cast<unsigned long long>(fields.n_dofs()),
+      static_cast<unsigned long long>(fields.elastic.n_dofs()),
+      static_cast<unsigned long long>(fields.phase_field.n_dofs())));
+    log.line(printed("smallest cell h = %.4g mm; length scale l = %.4g mm, "
+                     "l/h = %.3g; kappa = %.3g",
+                     cell_size,
+                     constants.length_scale,
+                     constants.length_scale / cell_size,
+                     constants.residual_stiffness));
+    log.line(locking_in_words(parameters.material.elastic(), model.mixed()));
+    log.line(printed("memory: about %.2g GB with the direct solver, all ranks "
+                     "together",
+                     1e-9 * bytes_per_dof * fields.n_dofs()));
+  }
+
+
+
+  template <int dim>
+  void
+  Simulation<dim>::collect_warnings()
+  {
+    const MaterialDescription &constants = material->description();
+    const double               resolution = constants.length_scale / cell_size;
+    if (resolution < 2. * (1. - 1e-6))
+      warnings.push_back(printed(
+        "l/h = %.3g: the length scale is resolved by fewer than two cells; "
+        "the effective toughness is too large",
+        resolution));
+    const ElasticConstants given = parameters.material.elastic();
+    if (!parameters.model.mixed() && given.lambda > 50. * given.mu)
+      warnings.push_back(
+        printed("lambda/mu = %.3g with the displacement formulation: expect "
+                "locking; Model/Formulation = mixed avoids it",
+                given.lambda / given.mu));
+    if (parameters.model.coupling != "iterated")
+      warnings.push_back(
+        "coupling '" + parameters.model.coupling +
+        "': a running crack advances about one cell per load step, which acts "
+        "as a rate effect");
+    if (parameters.model.mixed() && dim == 2 &&
+        parameters.model.kinematics == "plane strain" &&
+        parameters.model.pressure_law != "relaxed bulk" &&
+        given.lambda > 50. * given.mu)
+      warnings.push_back("pressure law '" + parameters.model.pressure_law +
+                         "' in nearly incompressible plane strain: cracks "
+                         "hardly open, see doc/model.md, section 3");
+    for (const std::string &warning : warnings)
+      log.line("warning: " + warning);
+  }
+
+
+
+  template <int dim>
+  void
+  Simulation<dim>::preflight()
+  {
+    make_mesh_and_material();
+    log_header();
+    collect_warnings();
+  }
+
+
+
+  template <int dim>
+  void
+  Simulation<dim>::log_step(const StatisticsRow &row)
+  {
+    log.line(printed("  t = %.6g s, u = %.6g mm, F = %.6g N, E_el = %.5g, "
+                     "E_crack = %.5g, W = %.5g mJ, max dphi = %.3g, cells "
+                     "%lu, %.1f s",
+                     row.time,
+                     row.displacement,
+                     row.force_size(),
+                     row.elastic_energy,
+                     row.crack_energy,
+                     row.external_work,
+                     row.phase_field_change,
+                     row.cells,
+                     row.wall_time));
+    const double fraction = row.time / parameters.load.end_time;
+    if (fraction > 0.)
+      log.progress(printed("%3.0f %% of the load, about %.0f s to the end time",
+                           100. * fraction,
+                           row.wall_time * (1. - fraction) / fraction));
+  }
+
+
+
+  template <int dim>
+  void
+  Simulation<dim>::log_end(const RunOutcome &outcome, const Summary &summary)
+  {
+    const StatisticsRow &peak = statistics.rows()[peak_row(statistics.rows())];
+    const StatisticsRow &last = statistics.rows().back();
+    log.line("");
+    log.line("end: " + outcome.reason);
+    log.line(printed("peak force %.6g N at %.6g mm; at the end %.3g N (%.1f %% "
+                     "of the peak) at %.6g mm",
+                     peak.force_size(),
+                     peak.displacement,
+                     last.force_size(),
+                     peak.force_size() > 0. ?
+                       100. * last.force_size() / peak.force_size() :
+                       0.,
+                     last.displacement));
+    log.line(printed("steps %u, rejected %u, factorisations %u, solves %u, "
+                     "%.1f s",
+                     last.step,
+                     summary.rejected_steps,
+                     summary.factorizations,
+                     elastic_step->counts().solves,
+                     summary.wall_time));
+    std::string text = "seconds:";
+    for (const auto &[name, seconds] : summary.phases)
+      text += printed(" %s %.2f;", name.c_str(), seconds);
+    log.line(text);
+  }
+
+
+
+  template void Simulation<2>::log_header();
+  template void Simulation<2>::collect_warnings();
+  template void Simulation<2>::preflight();
+  template void Simulation<2>::log_step(const StatisticsRow &);
+  template void Simulation<2>::log_end(const RunOutcome &, const Summary &);
+} // namespace MixedCracks

@@ -1,0 +1,194 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include <core/simulation.h>
+#include <core/version.h>
+
+#include <fstream>
+
+namespace MixedCracks
+{
+  using namespace dealii;
+
+  template <int dim>
+  void
+  Simulation<dim>::prepare_output(const ExistingRun existing)
+  {
+    const std::string &directory = parameters.output.directory;
+    prepare_output_directory(directory, existing, communicator);
+    log.open(directory + "/log.txt", existing == ExistingRun::resume);
+    statistics.open(directory + "/statistics.csv", dim);
+    std::string message;
+    if (Utilities::MPI::this_mpi_process(communicator) == 0)
+      {
+        std::ofstream file(directory + "/parameters.prm");
+        file << effective_parameters << std::flush;
+        if (!file)
+          message = "Output/Directory: '" + directory +
+                    "/parameters.prm' cannot be written.";
+      }
+    throw_on_all_ranks(message, communicator);
+  }
+
+
+
+  template <int dim>
+  void
+  Simulation<dim>::record(const State       &before,
+                          const State       &state,
+                          const StepOutcome &outcome)
+  {
+    TimerOutput::Scope scope(timer, "output");
+    const double       thickness = parameters.material.thickness;
+    StatisticsRow      row;
+    row.step         = static_cast<unsigned int>(statistics.rows().size());
+    row.time         = state.time;
+    row.displacement = boundary_quantities.displacement(state.time);
+    const Tensor<1, dim> force = boundary_quantities.force(state.reaction);
+    for (unsigned int d = 0; d < dim; ++d)
+      row.force[d] = thickness * force[d];
+    const Energies energies = assembler->energies(state.elastic,
+                                                  state.lagged_phase_field,
+                                                  state.phase_field);
+    row.elastic_energy      = thickness * energies.elastic;
+    row.crack_energy        = thickness * energies.crack;
+    external_work += thickness * elastic_step->external_work(before, state);
+    row.external_work      = external_work;
+    row.min_phase_field    = smallest_phase_field(state);
+    row.phase_field_change = outcome.phase_field_change;
+    row.newton_iterations  = outcome.newton_iterations;
+    row.linear_iterations  = outcome.linear_iterations;
+    row.active_set_size    = outcome.active_set_size;
+    row.cells              = triangulation.n_global_active_cells();
+    row.dofs               = fields.n_dofs();
+    row.wall_time          = wall_clock.wall_time();
+    row.coupling_iterations = outcome.coupling_iterations;
+    row.coupling_change     = outcome.coupling_change;
+    row.factorizations      = elastic_step->counts().factorizations;
+    row.rejected_steps      = load_control.n_rejected();
+    statistics.add(row);
+    log_step(row);
+
+    if (row.force_size() > load_control.peak_force())
+      {
+        peak_state = state;
+        peak_step  = row.step;
+      }
+    separated = load_control.is_separated(row.force_size());
+    write_fields_when_due(state);
+  }
+
+
+
+  template <int dim>
+  double
+  Simulation<dim>::smallest_phase_field(const State &state) const
+  {
+    double smallest = 1.;
+    for (const auto dof : fields.phase_field_dofs.owned)
+      smallest = std::min(smallest, double(state.phase_field(dof)));
+    return Utilities::MPI::min(smallest, communicator);
+  }
+
+
+
+  template <int dim>
+  void
+  Simulation<dim>::write_fields_when_due(const State &state)
+  {
+    const StatisticsRow &row   = statistics.rows().back();
+    const unsigned int   every = parameters.output.fields_every;
+    // only a fall tells that the peak was one
+    const bool past_peak = row.force_size() < 0.98 * load_control.peak_force();
+    if (past_peak && !field_output.has(peak_step))
+      write_fields(peak_state, peak_step);
+    if (row.step == 0 || separated || (every > 0 && row.step % every == 0))
+      write_fields(state, row.step);
+  }
+
+
+
+  template <int dim>
+  void
+  Simulation<dim>::write_fields(const State &state, const unsigned int step)
+  {
+    field_output.write(
+      state,
+      step,
+      assembler->cell_data(state.elastic, state.lagged_phase_field).values);
+  }
+
+
+
+  template <int dim>
+  RunOutcome
+  Simulation<dim>::finish(const State &last, const bool given_up)
+  {
+    const unsigned int last_step = statistics.rows().back().step;
+    if (!field_output.has(peak_step))
+      write_fields(peak_state, peak_step);
+    if (!field_output.has(last_step))
+      write_fields(last, last_step);
+    RunOutcome outcome;
+    if (given_up)
+      outcome = {3,
+                 "the smallest load step failed; the last accepted state is "
+                 "written"};
+    else if (separated)
+      outcome.reason = "separated: the force fell below the given fraction of "
+                       "its peak";
+    else
+      outcome.reason = "end time reached";
+    const Summary summary = summarize(outcome);
+    if (Utilities::MPI::this_mpi_process(communicator) == 0)
+      write_summary(parameters.output.directory + "/summary.json",
+                    summary,
+                    statistics.rows());
+    log_end(outcome, summary);
+    return outcome;
+  }
+
+
+
+  template <int dim>
+  Summary
+  Simulation<dim>::summarize(const RunOutcome &outcome)
+  {
+    Summary summary;
+    summary.version            = MIXED_CRACKS_VERSION;
+    summary.revision           = MIXED_CRACKS_REVISION;
+    summary.deal_ii_version    = DEAL_II_PACKAGE_VERSION;
+    summary.case_in_words      = case_in_words;
+    summary.coupling           = parameters.model.coupling;
+    summary.pressure_law       = parameters.model.pressure_law;
+    summary.formulation        = parameters.model.formulation;
+    summary.kinematics         = parameters.model.kinematics;
+    summary.linear_solver      = elastic_step->linear_solver().package();
+    summary.ranks              = Utilities::MPI::n_mpi_processes(communicator);
+    summary.cell_size          = cell_size;
+    summary.length_scale       = material->description().length_scale;
+    summary.residual_stiffness = material->description().residual_stiffness;
+    summary.thickness          = parameters.material.thickness;
+    summary.separated          = separated;
+    summary.exit_reason        = outcome.reason;
+    summary.exit_status        = outcome.exit_status;
+    summary.rejected_steps     = load_control.n_rejected();
+    summary.factorizations     = elastic_step->counts().factorizations;
+    summary.wall_time          = wall_clock.wall_time();
+    for (const auto &[name, seconds] :
+         timer.get_summary_data(TimerOutput::total_wall_time))
+      summary.phases[name] = Utilities::MPI::max(seconds, communicator);
+    summary.warnings = warnings;
+    return summary;
+  }
+
+
+
+  template void   Simulation<2>::prepare_output(ExistingRun);
+  template void   Simulation<2>::record(const State &,
+                                      const State &,
+                                      const StepOutcome &);
+  template double Simulation<2>::smallest_phase_field(const State &) const;
+  template void   Simulation<2>::write_fields_when_due(const State &);
+  template void   Simulation<2>::write_fields(const State &, unsigned int);
+  template RunOutcome Simulation<2>::finish(const State &, bool);
+  template Summary    Simulation<2>::summarize(const RunOutcome &);
+} // namespace MixedCracks

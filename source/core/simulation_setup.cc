@@ -1,0 +1,234 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include <core/collective.h>
+#include <core/simulation_setup.h>
+
+#include <deal.II/numerics/vector_tools.h>
+
+#include <discretization/refinement.h>
+
+#include <cmath>
+#include <limits>
+
+namespace MixedCracks
+{
+  using namespace dealii;
+
+  template <int dim>
+  void
+  make_mesh(const Parameters<dim> &parameters, Triangulation<dim> &triangulation)
+  {
+    parameters.geometry.chosen().create(triangulation);
+    std::vector<RefinementBox<dim>> boxes;
+    for (const RefinedBox<dim> &box : parameters.mesh.refined_boxes())
+      boxes.push_back({BoundingBox<dim>({box.lower, box.upper}), box.levels});
+    refine_globally_and_in_boxes(triangulation,
+                                 parameters.mesh.global_refinements,
+                                 boxes);
+  }
+
+
+
+  template <int dim>
+  double
+  smallest_cell_size(const Triangulation<dim> &triangulation,
+                     const MPI_Comm            communicator)
+  {
+    double size = std::numeric_limits<double>::max();
+    for (const auto &cell : triangulation.active_cell_iterators())
+      if (cell->is_locally_owned())
+        size = std::min(size, cell->diameter() / std::sqrt(1. * dim));
+    return Utilities::MPI::min(size, communicator);
+  }
+
+
+
+  template <int dim>
+  std::vector<PrescribedComponent<dim>>
+  prescribed_components(const Parameters<dim> &parameters,
+                        const unsigned int     n_components)
+  {
+    const auto ids = parameters.geometry.chosen().boundary_ids();
+    std::vector<PrescribedComponent<dim>> result;
+    for (const auto &entry : parameters.boundary_conditions.displacements())
+      if (entry.component < dim)
+        {
+          auto value =
+            std::make_shared<ExpressionFunction<dim>>(n_components);
+          value->set(entry.component, entry.expression);
+          result.push_back({ids.at(entry.boundary), entry.component, value});
+        }
+    return result;
+  }
+
+
+
+  template <int dim>
+  Loads<dim>
+  make_loads(const Parameters<dim> &parameters, const unsigned int n_components)
+  {
+    const auto &conditions = parameters.boundary_conditions;
+    const auto  ids        = parameters.geometry.chosen().boundary_ids();
+    Loads<dim>  loads;
+    loads.body_force = conditions.body_force(n_components);
+    for (const auto &[boundary, traction] : conditions.tractions(n_components))
+      loads.tractions[ids.at(boundary)] = traction;
+    return loads;
+  }
+
+
+
+  namespace
+  {
+    // calls body(dof, position, size of the cell) for the owned nodes of the
+    // phase field, seen from every cell around them
+    template <int dim, typename Body>
+    void
+    for_each_node(const Fields<dim> &fields, const Body &body)
+    {
+      for (const auto &cell : fields.phase_field.active_cell_iterators())
+        if (!cell->is_artificial())
+          for (const unsigned int v : cell->vertex_indices())
+            {
+              const auto dof = cell->vertex_dof_index(v, 0);
+              if (fields.phase_field_dofs.owned.is_element(dof))
+                body(dof,
+                     cell->vertex(v),
+                     cell->diameter() / std::sqrt(1. * dim));
+            }
+    }
+  } // namespace
+
+
+
+  template <int dim>
+  LinearAlgebra::Vector
+  initial_phase_field(const Parameters<dim>  &parameters,
+                      const Fields<dim>      &fields,
+                      const Constraints<dim> &constraints)
+  {
+    const auto slits  = parameters.geometry.chosen().slits();
+    const auto cracks = parameters.initial_cracks.segments();
+    LinearAlgebra::Vector values = fields.owned_vector(fields.phase_field_dofs);
+    values                       = 1.;
+    for_each_node(fields,
+                  [&](const types::global_dof_index dof,
+                      const Point<dim>             &position,
+                      const double                  size) {
+                    // slits are mesh lines; cracks need not be
+                    for (const Segment<dim> &slit : slits)
+                      if (distance(position, slit) <= 1e-6 * size)
+                        values(dof) = 0.;
+                    for (const Segment<dim> &crack : cracks)
+                      if (distance(position, crack) <= (0.5 + 1e-6) * size)
+                        values(dof) = 0.;
+                  });
+    values.compress(VectorOperation::insert);
+    constraints.phase_field_hanging_nodes().distribute(values);
+    return values;
+  }
+
+
+
+  template <int dim>
+  IndexSet
+  unbreakable_nodes(const Parameters<dim> &parameters,
+                    const Fields<dim>     &fields)
+  {
+    IndexSet     frozen(fields.phase_field.n_dofs());
+    const double margin = parameters.boundary_conditions.unbreakable_margin();
+    if (margin == 0.)
+      return frozen;
+    // the coarse mesh is known to every rank, and its boundary with
+    // prescribed displacement consists of straight faces
+    const auto ids = parameters.geometry.chosen().boundary_ids();
+    std::set<types::boundary_id> clamped;
+    for (const auto &entry : parameters.boundary_conditions.displacements())
+      if (entry.component < dim)
+        clamped.insert(ids.at(entry.boundary));
+    std::vector<Segment<dim>> faces;
+    for (const auto &cell :
+         fields.phase_field.get_triangulation().cell_iterators_on_level(0))
+      for (const unsigned int face : cell->face_indices())
+        if (cell->face(face)->at_boundary() &&
+            clamped.count(cell->face(face)->boundary_id()) > 0)
+          faces.push_back(
+            {cell->face(face)->vertex(0), cell->face(face)->vertex(1)});
+    for_each_node(fields,
+                  [&](const types::global_dof_index dof,
+                      const Point<dim>             &position,
+                      const double                  size) {
+                    for (const Segment<dim> &face : faces)
+                      if (distance(position, face) <= margin + 1e-6 * size)
+                        {
+                          frozen.add_index(dof);
+                          return;
+                        }
+                  });
+    return frozen;
+  }
+
+
+
+  template <int dim>
+  std::map<types::global_dof_index, double>
+  prescribed_phase_field(const Parameters<dim> &parameters,
+                         const Fields<dim>     &fields,
+                         const double           time)
+  {
+    const auto ids = parameters.geometry.chosen().boundary_ids();
+    std::map<types::global_dof_index, double> all, owned;
+    together(fields.communicator(), [&]() {
+      for (const auto &entry : parameters.boundary_conditions.displacements())
+        if (entry.component == dim)
+          {
+            ExpressionFunction<dim> value(1);
+            value.set(0, entry.expression);
+            value.set_time(time);
+            VectorTools::interpolate_boundary_values(fields.mapping,
+                                                     fields.phase_field,
+                                                     ids.at(entry.boundary),
+                                                     value,
+                                                     all);
+          }
+    });
+    for (const auto &[dof, value] : all)
+      if (fields.phase_field_dofs.owned.is_element(dof))
+        owned[dof] = std::clamp(value, 0., 1.);
+    return owned;
+  }
+
+
+
+  CouplingOptions
+  coupling_options(const ModelParameters &model)
+  {
+    CouplingOptions options;
+    options.kind = model.coupling == "time-lagged" ?
+                     CouplingOptions::Kind::time_lagged :
+                   model.coupling == "extrapolated" ?
+                     CouplingOptions::Kind::extrapolated :
+                     CouplingOptions::Kind::iterated;
+    options.tolerance       = model.coupling_tolerance;
+    options.over_relaxation = model.over_relaxation;
+    options.max_iterations  = model.max_iterations;
+    return options;
+  }
+
+
+
+#define INSTANTIATE(dim)                                                       \
+  template void make_mesh(const Parameters<dim> &, Triangulation<dim> &);      \
+  template double smallest_cell_size(const Triangulation<dim> &, MPI_Comm);    \
+  template std::vector<PrescribedComponent<dim>> prescribed_components(        \
+    const Parameters<dim> &, unsigned int);                                    \
+  template Loads<dim>            make_loads(const Parameters<dim> &,           \
+                                            unsigned int);                     \
+  template LinearAlgebra::Vector initial_phase_field(                          \
+    const Parameters<dim> &, const Fields<dim> &, const Constraints<dim> &);   \
+  template IndexSet unbreakable_nodes(const Parameters<dim> &,                 \
+                                      const Fields<dim> &);                    \
+  template std::map<types::global_dof_index, double> prescribed_phase_field(   \
+    const Parameters<dim> &, const Fields<dim> &, double);
+  INSTANTIATE(2)
+#undef INSTANTIATE
+} // namespace MixedCracks

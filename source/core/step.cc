@@ -1,0 +1,187 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include <core/step.h>
+
+#include <deal.II/base/mpi.h>
+
+#include <algorithm>
+
+namespace MixedCracks
+{
+  using namespace dealii;
+  using Vector = LinearAlgebra::Vector;
+
+  namespace
+  {
+    // max over the nodes of a - b, or of its modulus
+    double
+    largest_difference(const Vector &a, const Vector &b, const bool modulus)
+    {
+      double      largest = 0.;
+      const auto  owned   = a.locally_owned_elements();
+      for (const auto i : owned)
+        {
+          const double difference = a(i) - b(i);
+          largest =
+            std::max(largest, modulus ? std::abs(difference) : difference);
+        }
+      return Utilities::MPI::max(largest, a.get_mpi_communicator());
+    }
+
+
+
+    // result = base + factor * (target - base), within [0, upper]
+    void
+    move_within_bounds(const Vector &base,
+                       const Vector &target,
+                       const double  factor,
+                       const Vector &upper,
+                       Vector       &result)
+    {
+      const IndexSet owned = base.locally_owned_elements();
+      Vector         values(owned, base.get_mpi_communicator());
+      for (const auto i : owned)
+        values(i) = std::clamp(base(i) + factor * (target(i) - base(i)),
+                               0.,
+                               std::max(0., static_cast<double>(upper(i))));
+      values.compress(VectorOperation::insert);
+      result = values;
+    }
+  } // namespace
+
+
+
+  template <int dim>
+  StepSolver<dim>::StepSolver(ElasticStep<dim>      &elastic,
+                              PhaseFieldStep<dim>   &phase_field,
+                              const CouplingOptions &options,
+                              const NewtonOptions   &newton_options,
+                              const MPI_Comm         communicator,
+                              Log                   &log)
+    : elastic(elastic)
+    , phase_field(phase_field)
+    , options(options)
+    , newton_options(newton_options)
+    , communicator(communicator)
+    , log(log)
+  {}
+
+
+
+  template <int dim>
+  void
+  StepSolver<dim>::start_lagged_field(const State &accepted, State &trial) const
+  {
+    trial.lagged_phase_field = accepted.phase_field;
+    if (options.kind == CouplingOptions::Kind::extrapolated &&
+        accepted.time_step > 0.)
+      move_within_bounds(accepted.previous_phase_field,
+                         accepted.phase_field,
+                         1. + trial.time_step / accepted.time_step,
+                         accepted.phase_field,
+                         trial.lagged_phase_field);
+  }
+
+
+
+  template <int dim>
+  void
+  StepSolver<dim>::advance_lagged_field(const State &accepted,
+                                        State       &trial) const
+  {
+    const Vector before(trial.lagged_phase_field);
+    move_within_bounds(before,
+                       trial.phase_field,
+                       options.over_relaxation,
+                       accepted.phase_field,
+                       trial.lagged_phase_field);
+  }
+
+
+
+  template <int dim>
+  void
+  StepSolver<dim>::log_iteration(const unsigned int      iteration,
+                                 const NewtonOutcome    &newton,
+                                 const ActiveSetOutcome &active_set,
+                                 const double            change)
+  {
+    log.line(printed("  %5u %9.1e %9.1e %9.1e %8u %8u %7u %7u %10.2e",
+                     iteration,
+                     newton.first.displacement,
+                     newton.last.displacement,
+                     newton.last.pressure,
+                     static_cast<unsigned int>(active_set.n_active),
+                     static_cast<unsigned int>(active_set.n_changes),
+                     newton.iterations,
+                     newton.linear_iterations + active_set.linear_iterations,
+                     change));
+  }
+
+
+
+  template <int dim>
+  StepOutcome
+  StepSolver<dim>::solve(const State           &accepted,
+                         const FixedPhaseField &fixed,
+                         const double           bound,
+                         State                 &trial)
+  {
+    const bool iterated = options.kind == CouplingOptions::Kind::iterated;
+    start_lagged_field(accepted, trial);
+    trial.phase_field = accepted.phase_field;
+    elastic.predict(accepted, trial);
+    log.line("  coupl  |r_u| in       out   out |r_p| active"
+             "  changes  newton  linear  |phi-phi~|");
+
+    StepOutcome outcome;
+    while (true)
+      {
+        const NewtonOutcome newton = elastic.solve(trial, newton_options);
+        outcome.newton_iterations += newton.iterations;
+        outcome.linear_iterations += newton.linear_iterations;
+        if (!newton.converged)
+          {
+            outcome.reason = newton.reason;
+            return outcome;
+          }
+        const ActiveSetOutcome active_set =
+          phase_field.solve(accepted, fixed, trial);
+        ++outcome.coupling_iterations;
+        outcome.linear_iterations += active_set.linear_iterations;
+        outcome.active_set_size = active_set.n_active;
+        outcome.active_set_changes += active_set.n_changes;
+        outcome.phase_field_change =
+          largest_difference(accepted.phase_field, trial.phase_field, false);
+        outcome.coupling_change = largest_difference(trial.phase_field,
+                                                     trial.lagged_phase_field,
+                                                     true);
+        log_iteration(outcome.coupling_iterations,
+                      newton,
+                      active_set,
+                      outcome.coupling_change);
+        if (!active_set.converged)
+          {
+            outcome.reason = active_set.reason;
+            return outcome;
+          }
+        if (!iterated || outcome.coupling_change < options.tolerance ||
+            outcome.phase_field_change > bound)
+          break;
+        if (outcome.coupling_iterations >= options.max_iterations)
+          {
+            outcome.reason = "the iterated coupling did not settle within " +
+                             std::to_string(options.max_iterations) +
+                             " iterations";
+            return outcome;
+          }
+        advance_lagged_field(accepted, trial);
+      }
+    outcome.solved = true;
+    return outcome;
+  }
+
+
+
+  template class StepSolver<2>;
+  template class StepSolver<3>;
+} // namespace MixedCracks

@@ -1,0 +1,240 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include <core/step_elastic.h>
+
+#include <deal.II/dofs/dof_tools.h>
+
+namespace MixedCracks
+{
+  using namespace dealii;
+  using Vector = LinearAlgebra::Vector;
+
+  namespace
+  {
+    // Factors are used for a matrix whose degradation differs by this much at
+    // most: Newton's method then needs another cheap solve or two instead of
+    // a factorisation.
+    constexpr double largest_degradation_change = 0.02;
+
+    double
+    relative(const double size, const double scale)
+    {
+      return size == 0. ? 0. : size / scale;
+    }
+  } // namespace
+
+
+
+  template <int dim>
+  ElasticStep<dim>::ElasticStep(const Fields<dim>      &fields,
+                                const Constraints<dim> &constraints,
+                                Assembler<dim>         &assembler,
+                                Loads<dim>              loads,
+                                TimerOutput            &timer)
+    : fields(fields)
+    , constraints(constraints)
+    , assembler(assembler)
+    , loads(std::move(loads))
+    , timer(timer)
+  {}
+
+
+
+  template <int dim>
+  LinearOutcome
+  ElasticStep<dim>::reinit()
+  {
+    TimerOutput::Scope scope(timer, "setup");
+    assembler.reinit();
+    const DofSets                 &dofs = fields.elastic_dofs;
+    LinearAlgebra::SparsityPattern pattern(dofs.owned,
+                                           dofs.owned,
+                                           dofs.relevant,
+                                           fields.communicator());
+    DoFTools::make_sparsity_pattern(
+      fields.elastic,
+      pattern,
+      constraints.elastic_corrections(),
+      false,
+      Utilities::MPI::this_mpi_process(fields.communicator()));
+    pattern.compress();
+    matrix.reinit(pattern);
+    for (Vector *vector :
+         {&iterate, &full_residual, &residual, &correction, &external})
+      vector->reinit(dofs.owned, fields.communicator());
+    pressure_dofs.assign(dofs.owned.n_elements(), false);
+    if (fields.layout.mixed)
+      {
+        const IndexSet pressure = DoFTools::extract_dofs(
+          fields.elastic,
+          fields.elastic.get_fe().component_mask(fields.pressure));
+        for (const auto dof : pressure)
+          pressure_dofs[dofs.owned.index_within_set(dof)] = true;
+      }
+    return solver.initialize(matrix);
+  }
+
+
+
+  template <int dim>
+  Vector
+  ElasticStep<dim>::external_forces(const double time) const
+  {
+    Vector forces = fields.owned_vector(fields.elastic_dofs);
+    if (!loads.any())
+      return forces;
+    if (loads.body_force)
+      loads.body_force->set_time(time);
+    std::map<types::boundary_id, const Function<dim> *> tractions;
+    for (const auto &[boundary, function] : loads.tractions)
+      {
+        function->set_time(time);
+        tractions[boundary] = function.get();
+      }
+    assembler.external_forces(loads.body_force.get(),
+                              tractions,
+                              constraints.elastic_hanging_nodes(),
+                              forces);
+    return forces;
+  }
+
+
+
+  template <int dim>
+  void
+  ElasticStep<dim>::predict(const State &accepted, State &trial) const
+  {
+    Vector before = fields.owned_vector(fields.elastic_dofs);
+    Vector after  = before;
+    constraints.apply_prescribed(accepted.time, before);
+    constraints.apply_prescribed(trial.time, after);
+    const Vector forces_before = external_forces(accepted.time);
+    Vector       forces_after  = external_forces(trial.time);
+
+    const double size  = before * before + forces_before * forces_before;
+    const double ratio = size > 0. ?
+                           (before * after + forces_before * forces_after) /
+                             size :
+                           0.;
+    Vector       start(after);
+    start = accepted.elastic;
+    if (size > 0.)
+      {
+        Vector difference(after);
+        difference.add(-ratio, before);
+        forces_after.add(-ratio, forces_before);
+        const double error =
+          difference * difference + forces_after * forces_after;
+        if (error <= 1e-24 * ratio * ratio * size)
+          start *= ratio;
+      }
+    constraints.apply_prescribed(trial.time, start);
+    trial.elastic = start;
+  }
+
+
+
+  template <int dim>
+  ResidualSize
+  ElasticStep<dim>::evaluate_residual(const State &trial)
+  {
+    TimerOutput::Scope scope(timer, "assembly");
+    assessment = assembler.elastic_residual(trial.elastic,
+                                            trial.lagged_phase_field,
+                                            constraints.elastic_hanging_nodes(),
+                                            full_residual);
+    full_residual.add(-1., external);
+    residual = full_residual;
+    constraints.drop_prescribed(residual);
+
+    // sizes of the two fields apart: their units differ
+    std::vector<double> squares(2, 0.);
+    const double       *values = residual.begin();
+    for (std::size_t i = 0; i < pressure_dofs.size(); ++i)
+      squares[pressure_dofs[i] ? 1 : 0] += values[i] * values[i];
+    Utilities::MPI::sum(squares, fields.communicator(), squares);
+    const double load = external.l2_norm();
+    return {relative(std::sqrt(squares[0]),
+                     std::max(assessment.displacement_scale, load)),
+            relative(std::sqrt(squares[1]), assessment.pressure_scale)};
+  }
+
+
+
+  template <int dim>
+  LinearOutcome
+  ElasticStep<dim>::update_matrix(const State &trial, const bool force)
+  {
+    const double allowed_change = force ? 0. : largest_degradation_change;
+    if (assessment.branch_changes == 0. &&
+        assessment.degradation_change <= allowed_change)
+      return {};
+    {
+      TimerOutput::Scope scope(timer, "assembly");
+      assembler.elastic_matrix(trial.elastic,
+                               trial.lagged_phase_field,
+                               constraints.elastic_corrections(),
+                               matrix);
+    }
+    TimerOutput::Scope scope(timer, "factorisation");
+    ++count.factorizations;
+    return solver.factorize();
+  }
+
+
+
+  template <int dim>
+  NewtonOutcome
+  ElasticStep<dim>::solve(State &trial, const NewtonOptions &options)
+  {
+    iterate  = trial.elastic;
+    external = external_forces(trial.time);
+    NewtonProblem problem;
+    problem.residual      = [&]() { return evaluate_residual(trial); };
+    problem.update_matrix = [&](const bool force) {
+      return update_matrix(trial, force);
+    };
+    problem.solve = [&]() {
+      TimerOutput::Scope scope(timer, "solve");
+      ++count.solves;
+      residual *= -1.;
+      const LinearOutcome outcome = solver.solve(correction, residual);
+      constraints.elastic_corrections().distribute(correction);
+      return outcome;
+    };
+    problem.move = [&](const double factor) {
+      iterate.add(factor, correction);
+      trial.elastic = iterate;
+    };
+    const NewtonOutcome outcome = solve_newton(problem, options);
+    constraints.keep_prescribed(full_residual);
+    trial.reaction = full_residual;
+    return outcome;
+  }
+
+
+
+  template <int dim>
+  double
+  ElasticStep<dim>::external_work(const State &before,
+                                  const State &after) const
+  {
+    Vector increment = fields.owned_vector(fields.elastic_dofs);
+    Vector old       = increment;
+    increment        = after.elastic;
+    old              = before.elastic;
+    increment.add(-1., old);
+    Vector forces = external_forces(before.time);
+    forces.add(1., external_forces(after.time));
+    Vector reaction(increment);
+    reaction = before.reaction;
+    forces.add(1., reaction);
+    reaction = after.reaction;
+    forces.add(1., reaction);
+    return 0.5 * (forces * increment);
+  }
+
+
+
+  template class ElasticStep<2>;
+  template class ElasticStep<3>;
+} // namespace MixedCracks

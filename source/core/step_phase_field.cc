@@ -1,0 +1,156 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include <core/step_phase_field.h>
+
+#include <deal.II/dofs/dof_tools.h>
+
+#include <algorithm>
+
+namespace MixedCracks
+{
+  using namespace dealii;
+
+  namespace
+  {
+    // outer Newton iterations for densities that are not quadratic
+    constexpr unsigned int max_newton_iterations = 20;
+
+    template <int dim>
+    ActiveSetOptions
+    options_for(const Material<dim> &material)
+    {
+      const MaterialDescription &constants = material.description();
+      ActiveSetOptions           options;
+      options.weight = 10. * constants.critical_energy_release_rate /
+                       constants.length_scale;
+      return options;
+    }
+
+
+
+    bool
+    has_constant_curvature(const CrackDensity &density)
+    {
+      const double curvature = density.local_second_derivative(0.5);
+      for (const double phi : {0., 0.1, 0.37, 0.9, 1.})
+        if (std::abs(density.local_second_derivative(phi) - curvature) >
+            1e-12 * (1. + std::abs(curvature)))
+          return false;
+      return true;
+    }
+  } // namespace
+
+
+
+  template <int dim>
+  PhaseFieldStep<dim>::PhaseFieldStep(const Fields<dim>      &fields,
+                                      const Constraints<dim> &constraints,
+                                      const Material<dim>    &material,
+                                      Assembler<dim>         &assembler,
+                                      TimerOutput            &timer)
+    : fields(fields)
+    , constraints(constraints)
+    , assembler(assembler)
+    , timer(timer)
+    , solver(options_for(material))
+    , is_quadratic(has_constant_curvature(material.crack_density()))
+  {}
+
+
+
+  template <int dim>
+  void
+  PhaseFieldStep<dim>::reinit()
+  {
+    TimerOutput::Scope             scope(timer, "setup");
+    const DofSets                 &dofs    = fields.phase_field_dofs;
+    const auto                    &hanging = constraints.phase_field_hanging_nodes();
+    LinearAlgebra::SparsityPattern pattern(dofs.owned,
+                                           dofs.owned,
+                                           dofs.relevant,
+                                           fields.communicator());
+    DoFTools::make_sparsity_pattern(
+      fields.phase_field,
+      pattern,
+      hanging,
+      false,
+      Utilities::MPI::this_mpi_process(fields.communicator()));
+    pattern.compress();
+    matrix.reinit(pattern);
+    for (LinearAlgebra::Vector *vector :
+         {&iterate, &residual, &lower, &upper, &mass})
+      vector->reinit(dofs.owned, fields.communicator());
+    assembler.lumped_mass(hanging, mass);
+    constrained.clear();
+    for (const auto dof : dofs.owned)
+      constrained.push_back(hanging.is_constrained(dof));
+  }
+
+
+
+  template <int dim>
+  void
+  PhaseFieldStep<dim>::set_bounds(const State           &accepted,
+                                  const FixedPhaseField &fixed)
+  {
+    lower = 0.;
+    upper = accepted.phase_field;
+    for (const auto dof : fixed.frozen)
+      lower(dof) = upper(dof);
+    for (const auto &[dof, value] : fixed.prescribed)
+      lower(dof) = upper(dof) = value;
+    // setting element by element left them in insert mode
+    lower.compress(VectorOperation::insert);
+    upper.compress(VectorOperation::insert);
+  }
+
+
+
+  template <int dim>
+  ActiveSetOutcome
+  PhaseFieldStep<dim>::solve(const State           &accepted,
+                             const FixedPhaseField &fixed,
+                             State                 &trial)
+  {
+    TimerOutput::Scope scope(timer, "phase field");
+    set_bounds(accepted, fixed);
+    iterate = trial.phase_field;
+    const auto          &hanging = constraints.phase_field_hanging_nodes();
+    const BoundedProblem problem{matrix, lower, upper, mass, constrained};
+    ActiveSetOutcome     total;
+    for (unsigned int i = 0; i < max_newton_iterations; ++i)
+      {
+        assembler.phase_field_system(trial.elastic,
+                                     trial.lagged_phase_field,
+                                     trial.phase_field,
+                                     hanging,
+                                     residual,
+                                     &matrix);
+        const ActiveSetOutcome outcome =
+          solver.solve(problem, iterate, residual);
+        hanging.distribute(iterate);
+        trial.phase_field = iterate;
+
+        const unsigned int earlier_iterations = total.iterations;
+        const unsigned int earlier_linear     = total.linear_iterations;
+        const auto         earlier_changes    = total.n_changes;
+        total                                 = outcome;
+        total.iterations += earlier_iterations;
+        total.linear_iterations += earlier_linear;
+        total.n_changes += earlier_changes;
+        // an active set that stays as it was found has nothing left to solve
+        if (!outcome.converged || is_quadratic ||
+            (i > 0 && outcome.n_changes == 0 && outcome.iterations <= 1))
+          return total;
+      }
+    total.converged = false;
+    total.reason    = "no convergence of the phase field within " +
+                   std::to_string(max_newton_iterations) +
+                   " Newton iterations";
+    return total;
+  }
+
+
+
+  template class PhaseFieldStep<2>;
+  template class PhaseFieldStep<3>;
+} // namespace MixedCracks

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include <core/errors.h>
+
+#include <deal.II/base/patterns.h>
+
+#include <output/parameters.h>
+
+namespace MixedCracks
+{
+  namespace Patterns = dealii::Patterns;
+
+  void
+  OutputParameters::add_parameters(dealii::ParameterHandler &prm)
+  {
+    prm.enter_subsection("Output");
+    prm.add_parameter("Directory",
+                      directory,
+                      "Everything a run writes goes there; it is made when it "
+                      "does not exist, and refused when it holds a run "
+                      "already.",
+                      Patterns::Anything());
+    prm.add_parameter("Fields every",
+                      fields_every,
+                      "Fields for ParaView are written every so many accepted "
+                      "steps, and always at the start, at the peak of the "
+                      "force, at separation and at the end; 0: only then. "
+                      "Unit: 1.",
+                      Patterns::Integer(0));
+    prm.leave_subsection();
+  }
+
+
+
+  void
+  OutputParameters::check() const
+  {
+    if (directory.empty())
+      throw InputError("Output/Directory: found nothing, allowed is the name "
+                       "of a directory.");
+  }
+} // namespace MixedCracks

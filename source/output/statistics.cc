@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include <deal.II/base/mpi.h>
+
+#include <output/directory.h>
+#include <output/statistics.h>
+
+#include <cmath>
+#include <iomanip>
+#include <sstream>
+
+namespace MixedCracks
+{
+  namespace
+  {
+    std::string
+    header(const int dim)
+    {
+      return std::string("step,time_s,displacement_mm,force_x_N,force_y_N,") +
+             (dim == 3 ? "force_z_N," : "") +
+             "elastic_energy_mJ,crack_energy_mJ,external_work_mJ,"
+             "min_phase_field,max_phase_field_change,newton_iterations,"
+             "linear_iterations,active_set_size,cells,dofs,wall_time_s,"
+             "coupling_iterations,coupling_change,factorizations,"
+             "rejected_steps\n";
+    }
+
+
+
+    std::string
+    line(const StatisticsRow &row, const int dim)
+    {
+      std::ostringstream out;
+      out << std::setprecision(10) << row.step << ',' << row.time << ','
+          << row.displacement;
+      for (int d = 0; d < dim; ++d)
+        out << ',' << row.force[d];
+      out << ',' << row.elastic_energy << ',' << row.crack_energy << ','
+          << row.external_work << ',' << row.min_phase_field << ','
+          << row.phase_field_change << ',' << row.newton_iterations << ','
+          << row.linear_iterations << ',' << row.active_set_size << ','
+          << row.cells << ',' << row.dofs << ',' << std::setprecision(4)
+          << row.wall_time << ',' << row.coupling_iterations << ','
+          << row.coupling_change << ',' << row.factorizations << ','
+          << row.rejected_steps << '\n';
+      return out.str();
+    }
+  } // namespace
+
+
+
+  double
+  StatisticsRow::force_size() const
+  {
+    return std::sqrt(force[0] * force[0] + force[1] * force[1] +
+                     force[2] * force[2]);
+  }
+
+
+
+  StatisticsTable::StatisticsTable(const MPI_Comm communicator)
+    : communicator(communicator)
+  {}
+
+
+
+  void
+  StatisticsTable::open(const std::string &file_name, const int dimension)
+  {
+    dim  = dimension;
+    name = file_name;
+    std::string message;
+    if (dealii::Utilities::MPI::this_mpi_process(communicator) == 0)
+      {
+        file.open(name);
+        file << header(dim) << std::flush;
+        if (!file)
+          message = "Output/Directory: '" + name + "' cannot be written.";
+      }
+    throw_on_all_ranks(message, communicator);
+  }
+
+
+
+  void
+  StatisticsTable::restore(const std::vector<StatisticsRow> &earlier)
+  {
+    for (const StatisticsRow &row : earlier)
+      add(row);
+  }
+
+
+
+  void
+  StatisticsTable::add(const StatisticsRow &row)
+  {
+    table.push_back(row);
+    std::string message;
+    if (dealii::Utilities::MPI::this_mpi_process(communicator) == 0)
+      {
+        file << line(row, dim) << std::flush;
+        if (!file)
+          message = "Output/Directory: '" + name +
+                    "' cannot be written any more; is the disk full?";
+      }
+    throw_on_all_ranks(message, communicator);
+  }
+} // namespace MixedCracks

@@ -1,0 +1,160 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include <output/summary.h>
+
+#include <algorithm>
+#include <cstdio>
+#include <fstream>
+#include <iomanip>
+#include <sstream>
+
+namespace MixedCracks
+{
+  namespace
+  {
+    std::string
+    quoted(const std::string &text)
+    {
+      std::ostringstream out;
+      out << '"';
+      for (const char c : text)
+        if (c == '"' || c == '\\')
+          out << '\\' << c;
+        else if (static_cast<unsigned char>(c) < 0x20)
+          out << "\\u" << std::hex << std::setw(4) << std::setfill('0')
+              << static_cast<int>(c) << std::dec;
+        else
+          out << c;
+      out << '"';
+      return out.str();
+    }
+
+
+
+    // "key": value lines in the order they are added
+    class JsonObject
+    {
+    public:
+      void
+      add(const std::string &key, const std::string &value)
+      {
+        raw(key, quoted(value));
+      }
+
+      void
+      add(const std::string &key, const double value)
+      {
+        std::ostringstream out;
+        out << std::setprecision(10) << value;
+        raw(key, out.str());
+      }
+
+      void
+      raw(const std::string &key, const std::string &value)
+      {
+        text += (text.empty() ? "  " : ",\n  ") + quoted(key) + ": " + value;
+      }
+
+      std::string
+      str() const
+      {
+        return "{\n" + text + "\n}";
+      }
+
+    private:
+      std::string text;
+    };
+
+
+
+    void
+    add_peak(JsonObject &json, const std::vector<StatisticsRow> &rows)
+    {
+      if (rows.empty())
+        return;
+      const StatisticsRow &peak = rows[peak_row(rows)];
+      const StatisticsRow &last = rows.back();
+      json.add("steps", last.step);
+      json.add("peak_force_N", peak.force_size());
+      json.add("displacement_at_peak_mm", peak.displacement);
+      json.add("time_at_peak_s", peak.time);
+      json.add("step_at_peak", peak.step);
+      json.add("remaining_force_fraction",
+               peak.force_size() > 0. ? last.force_size() / peak.force_size() :
+                                        0.);
+      json.add("end_displacement_mm", last.displacement);
+      json.add("cells", static_cast<double>(last.cells));
+      json.add("dofs", static_cast<double>(last.dofs));
+      unsigned int newton = 0, coupling = 0;
+      for (const StatisticsRow &row : rows)
+        {
+          newton += row.newton_iterations;
+          coupling += row.coupling_iterations;
+        }
+      json.add("newton_iterations", newton);
+      json.add("coupling_iterations", coupling);
+    }
+  } // namespace
+
+
+
+  std::size_t
+  peak_row(const std::vector<StatisticsRow> &rows)
+  {
+    const auto largest =
+      std::max_element(rows.begin(),
+                       rows.end(),
+                       [](const StatisticsRow &a, const StatisticsRow &b) {
+                         return a.force_size() < b.force_size();
+                       });
+    return static_cast<std::size_t>(std::distance(rows.begin(), largest));
+  }
+
+
+
+  void
+  write_summary(const std::string                &file_name,
+                const Summary                    &summary,
+                const std::vector<StatisticsRow> &rows)
+  {
+    JsonObject json;
+    json.add("program", std::string("mixed-cracks"));
+    json.add("version", summary.version);
+    json.add("revision", summary.revision);
+    json.add("deal_ii_version", summary.deal_ii_version);
+    json.add("case", summary.case_in_words);
+    json.add("formulation", summary.formulation);
+    json.add("kinematics", summary.kinematics);
+    json.add("pressure_law", summary.pressure_law);
+    json.add("coupling", summary.coupling);
+    json.add("linear_solver", summary.linear_solver);
+    json.add("ranks", summary.ranks);
+    json.add("smallest_cell_mm", summary.cell_size);
+    json.add("length_scale_mm", summary.length_scale);
+    json.add("residual_stiffness", summary.residual_stiffness);
+    json.add("thickness_mm", summary.thickness);
+    add_peak(json, rows);
+    json.raw("separated", summary.separated ? "true" : "false");
+    json.add("exit_reason", summary.exit_reason);
+    json.add("exit_status", summary.exit_status);
+    json.add("rejected_steps", summary.rejected_steps);
+    json.add("factorizations", summary.factorizations);
+    json.add("wall_time_s", summary.wall_time);
+    JsonObject phases;
+    for (const auto &[name, seconds] : summary.phases)
+      phases.add(name, seconds);
+    json.raw("seconds_per_phase",
+             summary.phases.empty() ? "{}" : phases.str());
+    std::string warnings;
+    for (const std::string &warning : summary.warnings)
+      warnings += (warnings.empty() ? "" : ", ") + quoted(warning);
+    json.raw("warnings", "[" + warnings + "]");
+
+    // a reader never sees half of it
+    const std::string unfinished = file_name + ".part";
+    {
+      std::ofstream file(unfinished);
+      file << json.str() << '\n';
+    }
+    std::rename(unfinished.c_str(), file_name.c_str());
+  }
+} // namespace MixedCracks

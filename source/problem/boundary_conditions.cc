@@ -1,0 +1,202 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include <core/errors.h>
+#include <core/names.h>
+#include <core/text.h>
+
+#include <deal.II/base/patterns.h>
+
+#include <problem/boundary_conditions.h>
+
+namespace MixedCracks
+{
+  using namespace dealii;
+
+  namespace
+  {
+    const std::vector<std::string> variables = {"x", "y", "z", "t"};
+    const std::string displacement_name = "Boundary conditions/Displacement";
+    const std::string traction_name     = "Boundary conditions/Traction";
+    const std::string body_force_name   = "Boundary conditions/Body force";
+
+    // components a name stands for
+    template <int dim>
+    std::vector<unsigned int>
+    components_of(const std::string &name,
+                  const bool         with_phase_field,
+                  const std::string &parameter)
+    {
+      std::vector<std::string> allowed = {"x", "y"};
+      if (dim == 3)
+        allowed.push_back("z");
+      for (unsigned int d = 0; d < dim; ++d)
+        if (name == allowed[d])
+          return {d};
+      if (name == "all")
+      {
+        std::vector<unsigned int> all;
+        for (unsigned int d = 0; d < dim; ++d)
+          all.push_back(d);
+        return all;
+      }
+      if (with_phase_field && name == "phase field")
+        return {dim};
+      allowed.push_back("all");
+      if (with_phase_field)
+        allowed.push_back("phase field");
+      throw InputError(parameter +
+                       ": component: " + unknown_name_message(name, allowed));
+    }
+
+    template <int dim>
+    std::vector<BoundaryEntry<dim>>
+    read_entries(const std::string &text,
+                 const bool         with_boundary,
+                 const bool         with_phase_field,
+                 const std::string &parameter)
+    {
+      std::vector<BoundaryEntry<dim>> result;
+      for (const std::string &entry : split_list(text, ';'))
+      {
+        std::vector<std::string> parts = split_list(entry, ':');
+        if (!with_boundary)
+          parts.insert(parts.begin(), "");
+        if (parts.size() != 3)
+          throw InputError(
+            parameter + ": found '" + entry + "', allowed is '" +
+            (with_boundary ? "boundary : " : "") +
+            "component : expression', several separated by ';'.");
+        const auto expression =
+          std::make_shared<const Expression>(parts[2], variables, parameter);
+        for (const unsigned int component :
+             components_of<dim>(parts[1], with_phase_field, parameter))
+          result.push_back({parts[0], component, expression});
+      }
+      return result;
+    }
+  } // namespace
+
+
+
+  template <int dim>
+  double
+  ExpressionFunction<dim>::value(const Point<dim>  &point,
+                                 const unsigned int component) const
+  {
+    if (!expressions[component])
+      return 0.;
+    return (*expressions[component])(
+      {point[0], point[1], dim == 3 ? point[dim - 1] : 0., this->get_time()});
+  }
+
+
+
+  template <int dim>
+  void
+  BoundaryConditions<dim>::add_parameters(ParameterHandler &prm)
+  {
+    prm.enter_subsection("Boundary conditions");
+    prm.add_parameter(
+      "Displacement",
+      displacement_text,
+      "Prescribed values: 'boundary : component : expression ; ...' with "
+      "components x, y, z, all, phase field, and expressions in x, y, z, t. "
+      "Where two boundaries meet, the entry named first decides. Unit: mm "
+      "(phase field: 1).");
+    prm.add_parameter("Traction",
+                      traction_text,
+                      "Forces per area on the boundary, 'boundary : component "
+                      ": expression ; ...'. Unit: MPa.");
+    prm.add_parameter("Body force",
+                      body_force_text,
+                      "Forces per volume, 'component : expression ; ...'. "
+                      "Unit: N/mm^3.");
+    prm.add_parameter(
+      "Unbreakable margin",
+      margin,
+      "The material within this distance of a boundary with prescribed "
+      "displacement cannot break: clamps, bulges. 0: none. Unit: mm.",
+      Patterns::Double(0.));
+    prm.leave_subsection();
+  }
+
+
+
+  template <int dim>
+  std::vector<BoundaryEntry<dim>>
+  BoundaryConditions<dim>::displacements() const
+  {
+    return read_entries<dim>(displacement_text, true, true, displacement_name);
+  }
+
+
+
+  template <int dim>
+  std::map<std::string, std::shared_ptr<ExpressionFunction<dim>>>
+  BoundaryConditions<dim>::tractions(const unsigned int n_components) const
+  {
+    std::map<std::string, std::shared_ptr<ExpressionFunction<dim>>> result;
+    for (const BoundaryEntry<dim> &entry :
+         read_entries<dim>(traction_text, true, false, traction_name))
+    {
+      auto &function = result[entry.boundary];
+      if (!function)
+        function = std::make_shared<ExpressionFunction<dim>>(n_components);
+      function->set(entry.component, entry.expression);
+    }
+    return result;
+  }
+
+
+
+  template <int dim>
+  std::shared_ptr<ExpressionFunction<dim>>
+  BoundaryConditions<dim>::body_force(const unsigned int n_components) const
+  {
+    const auto entries =
+      read_entries<dim>(body_force_text, false, false, body_force_name);
+    if (entries.empty())
+      return nullptr;
+    auto function = std::make_shared<ExpressionFunction<dim>>(n_components);
+    for (const BoundaryEntry<dim> &entry : entries)
+      function->set(entry.component, entry.expression);
+    return function;
+  }
+
+
+
+  template <int dim>
+  void
+  BoundaryConditions<dim>::check(const BoundaryIds &boundaries) const
+  {
+    std::vector<std::string> names;
+    for (const auto &boundary : boundaries)
+      names.push_back(boundary.first);
+    const auto require_known = [&](const std::string &name,
+                                   const std::string &parameter) {
+      if (boundaries.count(name) == 0)
+        throw InputError(parameter +
+                         ": boundary: " + unknown_name_message(name, names));
+    };
+    bool any_displacement = false;
+    for (const BoundaryEntry<dim> &entry : displacements())
+    {
+      require_known(entry.boundary, displacement_name);
+      any_displacement = any_displacement || entry.component < dim;
+    }
+    if (!any_displacement)
+      throw InputError(displacement_name +
+                       ": no displacement is prescribed anywhere, so the body "
+                       "can move freely. Allowed boundaries: " +
+                       join_names(names) + ".");
+    for (const auto &traction : tractions(dim))
+      require_known(traction.first, traction_name);
+    body_force(dim);
+  }
+
+
+
+  template class ExpressionFunction<2>;
+  template class ExpressionFunction<3>;
+  template class BoundaryConditions<2>;
+  template class BoundaryConditions<3>;
+} // namespace MixedCracks

@@ -1,0 +1,300 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include <core/expression.h>
+#include <core/text.h>
+
+#include <deal.II/base/patterns.h>
+
+#include <problem/model_parameters.h>
+
+#include <limits>
+#include <sstream>
+
+namespace MixedCracks
+{
+  namespace Patterns = dealii::Patterns;
+
+  namespace
+  {
+    const double tiny = std::numeric_limits<double>::min();
+
+    // what the equations are
+    void
+    add_equations(dealii::ParameterHandler &prm, ModelParameters &model)
+    {
+      prm.add_parameter("Formulation",
+                        model.formulation,
+                        "Unknowns: 'mixed': displacement u, pressure p and "
+                        "phase field phi, for nearly incompressible solids; "
+                        "'displacement': u and phi, which locks there.",
+                        Patterns::Selection("mixed|displacement"));
+      prm.add_parameter("Displacement degree",
+                        model.displacement_degree,
+                        "Polynomial degree of u; 'auto': 2 in the mixed "
+                        "formulation (Taylor-Hood with p of degree 1), 1 in "
+                        "the displacement formulation.",
+                        Patterns::Selection("auto|1|2"));
+      prm.add_parameter("Kinematics",
+                        model.kinematics,
+                        "'plane strain': lambda, mu as given; 'plane stress': "
+                        "lambda* = 2 lambda mu/(lambda + 2 mu) in place of "
+                        "lambda (M6). Ignored in 3-d.",
+                        Patterns::Selection("plane strain|plane stress"));
+      prm.add_parameter("Crack density",
+                        model.crack_density,
+                        "Crack surface density gamma = a(phi)/l + b l "
+                        "|grad phi|^2 (M1). " +
+                          all_crack_densities().documentation(),
+                        Patterns::Selection(all_crack_densities().selection()));
+      prm.add_parameter(
+        "Length scale",
+        model.length_scale,
+        "The length l of the crack density (epsilon in the paper): a number or "
+        "an expression in the smallest cell size h of the first mesh, as "
+        "'2*h'. Unit: mm.",
+        Patterns::Anything());
+      prm.add_parameter(
+        "Residual stiffness",
+        model.residual_stiffness,
+        "kappa of g(phi) = (1 - kappa) phi^2 + kappa, between 0 and 1: a "
+        "number or an expression in h, as '0.01*h'. Unit: 1.",
+        Patterns::Anything());
+    }
+
+    // how tension and compression differ
+    void
+    add_split(dealii::ParameterHandler &prm, ModelParameters &model)
+    {
+      prm.add_parameter(
+        "Energy split",
+        model.energy_split,
+        "Which part of the stress drives the crack and is degraded (M3), "
+        "(M4). " +
+          all_energy_splits<2>().documentation(),
+        Patterns::Selection(all_energy_splits<2>().selection()));
+      prm.add_parameter("Deviator dimension",
+                        model.deviator_dimension,
+                        "n of (M3): eps - tr(eps)/n I; 'auto': 3 in plane "
+                        "strain and in 3-d, 2 in plane stress.",
+                        Patterns::Selection("auto|2|3"));
+      prm.add_parameter(
+        "Pressure law",
+        model.pressure_law,
+        "How the pressure fades where the material is damaged. " +
+          all_pressure_laws().documentation(),
+        Patterns::Selection(all_pressure_laws().selection()));
+      prm.add_parameter("Relaxation constant",
+                        model.relaxation,
+                        "c of (M8), 1/lambda_d = 1/lambda + (1-g)/(g c mu); "
+                        "only for 'relaxed bulk'. Unit: 1.",
+                        Patterns::Double(tiny));
+    }
+
+    // how the phase field and the elastic fields meet in a step
+    void
+    add_coupling(dealii::ParameterHandler &prm, ModelParameters &model)
+    {
+      prm.add_parameter(
+        "Coupling",
+        model.coupling,
+        "The phase field in the degradation (M9): 'time-lagged': that of the "
+        "last step; 'extrapolated': linearly in time, within its bounds; "
+        "'iterated': repeated until it no longer changes.",
+        Patterns::Selection("time-lagged|extrapolated|iterated"));
+      prm.add_parameter("Coupling tolerance",
+                        model.coupling_tolerance,
+                        "The iterated coupling ends when max|phi - phi~| is "
+                        "below this. Unit: 1.",
+                        Patterns::Double(tiny, 1.));
+      prm.add_parameter(
+        "Over-relaxation",
+        model.over_relaxation,
+        "The iterated coupling moves phi~ by this factor times (phi - phi~), "
+        "within the bounds; 1: off. Unit: 1.",
+        Patterns::Double(tiny, 2.));
+      prm.add_parameter("Largest number of coupling iterations",
+                        model.max_iterations,
+                        "A step of the iterated coupling that needs more has "
+                        "failed. A running crack advances about one cell per "
+                        "iteration.",
+                        Patterns::Integer(1));
+    }
+
+    double
+    evaluate_in_h(const std::string &text,
+                  const std::string &parameter,
+                  const double       h,
+                  const double       upper_bound)
+    {
+      const double value = Expression(text, {"h"}, parameter)({h});
+      if (!(value > 0. && value < upper_bound))
+      {
+        std::ostringstream message;
+        message << parameter << ": '" << text << "' is " << value
+                << " for h = " << h << " mm, allowed is a positive number";
+        if (upper_bound < std::numeric_limits<double>::max())
+          message << " below " << upper_bound;
+        throw InputError(message.str() + ".");
+      }
+      return value;
+    }
+
+    std::optional<double>
+    optional_number(const std::string &text, const std::string &parameter)
+    {
+      if (text.empty())
+        return {};
+      return parse_number(text, parameter);
+    }
+  } // namespace
+
+
+
+  void
+  ModelParameters::add_parameters(dealii::ParameterHandler &prm)
+  {
+    prm.enter_subsection("Model");
+    add_equations(prm, *this);
+    add_split(prm, *this);
+    add_coupling(prm, *this);
+    prm.leave_subsection();
+  }
+
+
+
+  void
+  ModelParameters::check() const
+  {
+    if (mixed() && displacement_degree == "1")
+      throw InputError("Model/Displacement degree: found 1 with "
+                       "Model/Formulation = mixed; the pair Q1-Q1 for u and p "
+                       "is not stable. Allowed: auto, 2.");
+    if (kinematics == "plane stress" && deviator_dimension == "3")
+      throw InputError("Model/Deviator dimension: found 3 with "
+                       "Model/Kinematics = plane stress, whose law acts in the "
+                       "plane. Allowed: auto, 2.");
+    // only that they can be evaluated; h is not known yet
+    evaluate_length_scale(1.);
+    evaluate_residual_stiffness(0.01);
+  }
+
+
+
+  unsigned int
+  ModelParameters::degree() const
+  {
+    if (displacement_degree == "auto")
+      return mixed() ? 2 : 1;
+    return displacement_degree == "1" ? 1 : 2;
+  }
+
+
+
+  int
+  ModelParameters::deviator(const int dim) const
+  {
+    if (dim == 3)
+      return 3;
+    if (deviator_dimension == "auto")
+      return kinematics == "plane stress" ? 2 : 3;
+    return deviator_dimension == "2" ? 2 : 3;
+  }
+
+
+
+  double
+  ModelParameters::evaluate_length_scale(const double h) const
+  {
+    return evaluate_in_h(length_scale,
+                         "Model/Length scale",
+                         h,
+                         std::numeric_limits<double>::max());
+  }
+
+
+
+  double
+  ModelParameters::evaluate_residual_stiffness(const double h) const
+  {
+    return evaluate_in_h(residual_stiffness, "Model/Residual stiffness", h, 1.);
+  }
+
+
+
+  void
+  MaterialParameters::add_parameters(dealii::ParameterHandler &prm)
+  {
+    const std::string pair = " Exactly one pair of elastic constants has to be "
+                             "given; empty: not given. Unit: ";
+    prm.enter_subsection("Material");
+    prm.add_parameter("Lame lambda",
+                      lame_lambda,
+                      "First Lame parameter lambda." + pair + "MPa.");
+    prm.add_parameter(
+      "Shear modulus", shear_modulus, "mu = E/(2(1+nu))." + pair + "MPa.");
+    prm.add_parameter("Young's modulus", youngs_modulus, "E." + pair + "MPa.");
+    prm.add_parameter(
+      "Poisson ratio", poisson_ratio, "nu, between 0 and 0.5." + pair + "1.");
+    prm.add_parameter(
+      "Bulk modulus", bulk_modulus, "K = lambda + 2 mu/3." + pair + "MPa.");
+    prm.add_parameter("Critical energy release rate",
+                      critical_energy_release_rate,
+                      "G_c, the energy to open a unit of crack surface. Unit: "
+                      "N/mm.",
+                      Patterns::Double(tiny));
+    prm.add_parameter("Thickness",
+                      thickness,
+                      "Of the specimen, out of plane: multiplies forces and "
+                      "energies, never stresses. Ignored in 3-d. Unit: mm.",
+                      Patterns::Double(tiny));
+    prm.leave_subsection();
+  }
+
+
+
+  ElasticConstants
+  MaterialParameters::elastic() const
+  {
+    GivenElasticConstants given;
+    given.lame_lambda = optional_number(lame_lambda, "Material/Lame lambda");
+    given.shear_modulus =
+      optional_number(shear_modulus, "Material/Shear modulus");
+    given.youngs_modulus =
+      optional_number(youngs_modulus, "Material/Young's modulus");
+    given.poisson_ratio =
+      optional_number(poisson_ratio, "Material/Poisson ratio");
+    given.bulk_modulus = optional_number(bulk_modulus, "Material/Bulk modulus");
+    return elastic_constants(given);
+  }
+
+
+
+  void
+  MaterialParameters::check() const
+  {
+    elastic();
+  }
+
+
+
+  MaterialDescription
+  describe_material(const ModelParameters    &model,
+                    const MaterialParameters &material,
+                    const int                 dim,
+                    const double              h)
+  {
+    MaterialDescription description;
+    description.elastic = material.elastic();
+    if (dim == 2 && model.kinematics == "plane stress")
+      description.elastic = plane_stress(description.elastic);
+    description.critical_energy_release_rate =
+      material.critical_energy_release_rate;
+    description.length_scale       = model.evaluate_length_scale(h);
+    description.residual_stiffness = model.evaluate_residual_stiffness(h);
+    description.relaxation         = model.relaxation;
+    description.deviator_dimension = model.deviator(dim);
+    description.crack_density      = model.crack_density;
+    description.energy_split       = model.energy_split;
+    description.pressure_law       = model.pressure_law;
+    return description;
+  }
+} // namespace MixedCracks

@@ -1,0 +1,248 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include <deal.II/base/mpi.h>
+
+
+#include <deal.II/lac/diagonal_matrix.h>
+#include <deal.II/lac/solver_cg.h>
+#include <deal.II/lac/solver_gmres.h>
+
+#include <solvers/active_set.h>
+
+#include <cmath>
+#include <functional>
+
+namespace MixedCracks
+{
+  using namespace dealii;
+  using Vector = LinearAlgebra::Vector;
+
+  namespace
+  {
+    // bounds closer than this leave nothing to solve for
+    constexpr double same_bounds = 1e-14;
+
+    // The matrix on the free dofs and the identity on all others. Applied to
+    // vectors that vanish outside the free dofs.
+    class FreeBlock
+    {
+    public:
+      FreeBlock(const LinearAlgebra::SparseMatrix &matrix,
+                const std::vector<bool>           &is_free)
+        : matrix(matrix)
+        , is_free(is_free)
+      {}
+
+      void
+      vmult(Vector &result, const Vector &source) const
+      {
+        matrix.vmult(result, source);
+        double *values = result.begin();
+        for (std::size_t i = 0; i < is_free.size(); ++i)
+          if (!is_free[i])
+            values[i] = 0.;
+      }
+
+    private:
+      const LinearAlgebra::SparseMatrix &matrix;
+      const std::vector<bool>           &is_free;
+    };
+
+
+
+    // the matrix diagonal, inverted, for the preconditioner; only its size
+    // matters where the operator is indefinite
+    void
+    invert_diagonal(const LinearAlgebra::SparseMatrix &matrix, Vector &inverse)
+    {
+      std::size_t i      = 0;
+      double     *values = inverse.begin();
+      for (const auto row : inverse.locally_owned_elements())
+        {
+          const double diagonal = std::abs(matrix.diag_element(row));
+          values[i++]           = diagonal > 0. ? 1. / diagonal : 1.;
+        }
+    }
+
+
+
+    // Conjugate gradients; GMRES where they break down
+    LinearOutcome
+    solve_free_block(const FreeBlock              &block,
+                     const DiagonalMatrix<Vector> &preconditioner,
+                     const ActiveSetOptions       &options,
+                     const Vector                 &right_hand_side,
+                     Vector                       &solution)
+    {
+      LinearOutcome outcome;
+      const double  size = right_hand_side.l2_norm();
+      if (size == 0.)
+        return outcome;
+      const double tolerance = options.relative_tolerance * size;
+      try
+        {
+          SolverControl    control(options.max_linear_iterations,
+                                tolerance,
+                                false,
+                                false);
+          SolverCG<Vector> solver(control);
+          solver.solve(block, solution, right_hand_side, preconditioner);
+          outcome.iterations = control.last_step();
+          return outcome;
+        }
+      catch (const SolverControl::NoConvergence &failure)
+        {
+          outcome.iterations = failure.last_step;
+        }
+      try
+        {
+          solution = 0.;
+          SolverControl       control(options.max_linear_iterations,
+                                tolerance,
+                                false,
+                                false);
+          SolverGMRES<Vector> solver(
+            control, SolverGMRES<Vector>::AdditionalData(100, true));
+          solver.solve(block, solution, right_hand_side, preconditioner);
+          outcome.iterations += control.last_step();
+        }
+      catch (const SolverControl::NoConvergence &failure)
+        {
+          outcome.iterations += failure.last_step;
+          outcome.success = false;
+          outcome.reason  = "the phase-field operator on the free nodes is "
+                           "singular or nearly so";
+        }
+      return outcome;
+    }
+  } // namespace
+
+
+
+  std::vector<ActiveSetSolver::Side>
+  ActiveSetSolver::decide_sides(const BoundedProblem &problem,
+                                const Vector         &solution,
+                                const Vector         &residual) const
+  {
+    std::vector<Side> sides(problem.constrained.size(), Side::free);
+    const double     *x = solution.begin(), *r = residual.begin();
+    const double *lower = problem.lower.begin(), *upper = problem.upper.begin();
+    const double *scale = problem.scale.begin();
+    for (std::size_t i = 0; i < sides.size(); ++i)
+      {
+        if (problem.constrained[i])
+          continue;
+        // positive where the energy falls with a growing phase field
+        const double multiplier = -r[i] / scale[i];
+        if (upper[i] - lower[i] <= same_bounds ||
+            multiplier + options.weight * (x[i] - lower[i]) < 0.)
+          sides[i] = Side::lower;
+        else if (multiplier + options.weight * (x[i] - upper[i]) > 0.)
+          sides[i] = Side::upper;
+      }
+    return sides;
+  }
+
+
+
+  LinearOutcome
+  ActiveSetSolver::compute_correction(const BoundedProblem    &problem,
+                                      const std::vector<Side> &sides,
+                                      const Vector            &solution,
+                                      const Vector            &residual,
+                                      Vector                  &correction) const
+  {
+    // move the active dofs to their bounds, then solve for the free ones
+    correction           = 0.;
+    const double *x      = solution.begin();
+    double       *values = correction.begin();
+    for (std::size_t i = 0; i < sides.size(); ++i)
+      if (sides[i] == Side::lower)
+        values[i] = problem.lower.begin()[i] - x[i];
+      else if (sides[i] == Side::upper)
+        values[i] = problem.upper.begin()[i] - x[i];
+
+    Vector right_hand_side(residual);
+    problem.matrix.vmult(right_hand_side, correction);
+    right_hand_side.add(1., residual);
+    right_hand_side *= -1.;
+    std::vector<bool> is_free(sides.size());
+    for (std::size_t i = 0; i < sides.size(); ++i)
+      {
+        is_free[i] = sides[i] == Side::free && !problem.constrained[i];
+        if (!is_free[i])
+          right_hand_side.begin()[i] = 0.;
+      }
+
+    DiagonalMatrix<Vector> preconditioner;
+    Vector                 inverse_diagonal(residual);
+    invert_diagonal(problem.matrix, inverse_diagonal);
+    preconditioner.reinit(inverse_diagonal);
+    Vector free_correction(residual);
+    free_correction             = 0.;
+    const LinearOutcome outcome = solve_free_block(
+      FreeBlock(problem.matrix, is_free),
+      preconditioner,
+      options,
+      right_hand_side,
+      free_correction);
+    correction.add(1., free_correction);
+    return outcome;
+  }
+
+
+
+  ActiveSetOutcome
+  ActiveSetSolver::solve(const BoundedProblem &problem,
+                         Vector               &solution,
+                         Vector               &residual) const
+  {
+    const MPI_Comm    communicator = solution.get_mpi_communicator();
+    ActiveSetOutcome  outcome;
+    Vector            correction(residual), image(residual);
+    std::vector<Side> sides;
+    for (; outcome.iterations <= options.max_iterations; ++outcome.iterations)
+      {
+        const std::vector<Side> new_sides =
+          decide_sides(problem, solution, residual);
+        std::vector<types::global_dof_index> counts(2, 0);
+        double                               largest = 0.;
+        for (std::size_t i = 0; i < new_sides.size(); ++i)
+          {
+            counts[0] += new_sides[i] != Side::free;
+            counts[1] += sides.empty() || new_sides[i] != sides[i];
+            if (new_sides[i] == Side::free && !problem.constrained[i])
+              largest = std::max(largest,
+                                 std::abs(residual.begin()[i] /
+                                          problem.scale.begin()[i]));
+          }
+        Utilities::MPI::sum(counts, communicator, counts);
+        outcome.residual = Utilities::MPI::max(largest, communicator);
+        outcome.n_active = counts[0];
+        if (outcome.iterations > 0 && counts[1] == 0)
+          {
+            outcome.converged = true;
+            return outcome;
+          }
+        if (outcome.iterations > 0)
+          outcome.n_changes += counts[1];
+        if (outcome.iterations == options.max_iterations)
+          break;
+
+        sides = new_sides;
+        const LinearOutcome linear =
+          compute_correction(problem, sides, solution, residual, correction);
+        outcome.linear_iterations += linear.iterations;
+        if (!linear.success)
+          {
+            outcome.reason = linear.reason;
+            return outcome;
+          }
+        solution.add(1., correction);
+        problem.matrix.vmult(image, correction);
+        residual.add(1., image);
+      }
+    outcome.reason = "the active set did not settle within " +
+                     std::to_string(options.max_iterations) + " iterations";
+    return outcome;
+  }
+} // namespace MixedCracks

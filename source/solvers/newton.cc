@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include <solvers/newton.h>
+
+#include <cmath>
+
+namespace MixedCracks
+{
+  namespace
+  {
+    // Full step first; halved while the residual grows. Returns the residual
+    // at the point where the iterate was left.
+    ResidualSize
+    line_search(const NewtonProblem &problem,
+                const NewtonOptions &options,
+                const ResidualSize  &before)
+    {
+      problem.move(1.);
+      ResidualSize size   = problem.residual();
+      double       factor = 1.;
+      for (unsigned int i = 0; i < options.max_bisections; ++i)
+        {
+          // '<' rather than '>=': a residual that is no number is no progress
+          if (size.largest() < before.largest())
+            break;
+          problem.move(-0.5 * factor);
+          factor *= 0.5;
+          size = problem.residual();
+        }
+      return size;
+    }
+
+
+
+    LinearOutcome
+    compute_correction(const NewtonProblem &problem,
+                       const bool           force_new_matrix)
+    {
+      const LinearOutcome matrix = problem.update_matrix(force_new_matrix);
+      return matrix.success ? problem.solve() : matrix;
+    }
+  } // namespace
+
+
+
+  NewtonOutcome
+  solve_newton(const NewtonProblem &problem, const NewtonOptions &options)
+  {
+    NewtonOutcome outcome;
+    outcome.first = outcome.last = problem.residual();
+    bool force_new_matrix        = false;
+    while (!(outcome.last.largest() <= options.tolerance))
+      {
+        if (outcome.iterations == options.max_iterations)
+          {
+            outcome.reason = "no convergence within " +
+                             std::to_string(options.max_iterations) +
+                             " Newton iterations";
+            return outcome;
+          }
+        const LinearOutcome linear =
+          compute_correction(problem, force_new_matrix);
+        if (!linear.success)
+          {
+            outcome.reason = linear.reason;
+            return outcome;
+          }
+        const ResidualSize before = outcome.last;
+        outcome.last              = line_search(problem, options, before);
+        outcome.iterations += 1;
+        outcome.linear_iterations += linear.iterations;
+        if (!std::isfinite(outcome.last.largest()))
+          {
+            outcome.reason = "the residual is not a number";
+            return outcome;
+          }
+        force_new_matrix = outcome.last.largest() >
+                           options.required_reduction * before.largest();
+      }
+    outcome.converged = true;
+    return outcome;
+  }
+} // namespace MixedCracks

@@ -1,0 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include <core/precompiled.h>
+
+#include <gtest/gtest.h>
