@@ -5,8 +5,12 @@
 #include <core/simulation.h>
 #include <core/version.h>
 
+#include <output/directory.h>
+
 #include <Trilinos_version.h>
 
+#include <exception>
+#include <functional>
 #include <iostream>
 #include <sstream>
 
@@ -63,6 +67,44 @@ namespace
 
 
 
+  // Errors of the user are kept until the simulation is gone: its timers and
+  // its files must not be cleared away while an exception is on its way, and
+  // a run that was refused before its first result leaves no files.
+  RunOutcome
+  simulate(const Parameters<dimension>                              &parameters,
+           const std::string                                        &effective,
+           const std::function<RunOutcome(Simulation<dimension> &)> &action)
+  {
+    const OutputTrace  trace(parameters.output.directory, MPI_COMM_WORLD);
+    std::exception_ptr refusal;
+    RunOutcome         outcome;
+    {
+      Log                   log(on_first_rank());
+      Simulation<dimension> simulation(
+        parameters, effective, MPI_COMM_WORLD, log);
+      try
+      {
+        outcome = action(simulation);
+      }
+      catch (const InputError &)
+      {
+        refusal = std::current_exception();
+      }
+      catch (const FileError &)
+      {
+        refusal = std::current_exception();
+      }
+    }
+    if (refusal)
+    {
+      trace.remove_refused_run();
+      std::rethrow_exception(refusal);
+    }
+    return outcome;
+  }
+
+
+
   int
   run(const int argc, char **argv)
   {
@@ -75,30 +117,26 @@ namespace
 
     read_parameters(command.file, command.set, prm, MPI_COMM_WORLD);
     if (command.output)
-      {
-        prm.enter_subsection("Output");
-        prm.set("Directory", *command.output);
-        prm.leave_subsection();
-      }
+    {
+      prm.enter_subsection("Output");
+      prm.set("Directory", *command.output);
+      prm.leave_subsection();
+    }
     parameters.check();
     std::ostringstream effective;
     print_parameters(effective, prm, "prm");
 
-    Log                   log(on_first_rank());
-    Simulation<dimension> simulation(parameters,
-                                     effective.str(),
-                                     MPI_COMM_WORLD,
-                                     log);
-    if (command.check)
+    const auto action = [&command](Simulation<dimension> &simulation) {
+      if (command.check)
       {
         simulation.preflight();
-        return 0;
+        return RunOutcome();
       }
-    const RunOutcome outcome =
-      simulation.run(command.overwrite ? ExistingRun::overwrite :
-                     command.resume    ? ExistingRun::resume :
-                                         ExistingRun::refuse);
-    return outcome.exit_status;
+      return simulation.run(command.overwrite ? ExistingRun::overwrite
+                            : command.resume  ? ExistingRun::resume
+                                              : ExistingRun::refuse);
+    };
+    return simulate(parameters, effective.str(), action).exit_status;
   }
 
 
@@ -121,23 +159,22 @@ main(int argc, char **argv)
 {
   dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
   try
-    {
-      return run(argc, argv);
-    }
+  {
+    return run(argc, argv);
+  }
   catch (const InputError &error)
-    {
-      return report(error.what(), 2);
-    }
+  {
+    return report(error.what(), 2);
+  }
   catch (const FileError &error)
-    {
-      return report(error.what(), 4);
-    }
+  {
+    return report(error.what(), 4);
+  }
   catch (const std::exception &error)
-    {
-      // not foreseen, and perhaps on this rank only: the others must not wait
-      std::cerr << "mixed-cracks: internal error: " << error.what()
-                << std::endl;
-      MPI_Abort(MPI_COMM_WORLD, 1);
-      return 1;
-    }
+  {
+    // not foreseen, and perhaps on this rank only: the others must not wait
+    std::cerr << "mixed-cracks: internal error: " << error.what() << std::endl;
+    MPI_Abort(MPI_COMM_WORLD, 1);
+    return 1;
+  }
 }

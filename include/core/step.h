@@ -67,6 +67,15 @@ namespace MixedCracks
     void
     advance_lagged_field(const State &accepted, State &trial) const;
 
+    NewtonOutcome
+    solve_elastic(const StepOutcome &so_far, State &trial);
+
+    ActiveSetOutcome
+    solve_phase_field(const State           &accepted,
+                      const FixedPhaseField &fixed,
+                      State                 &trial,
+                      StepOutcome           &outcome);
+
     void
     log_iteration(unsigned int            iteration,
                   const NewtonOutcome    &newton,

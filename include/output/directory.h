@@ -5,6 +5,7 @@
 #include <mpi.h>
 
 #include <string>
+#include <vector>
 
 namespace MixedCracks
 {
@@ -18,15 +19,34 @@ namespace MixedCracks
   /// Make @p directory ready for a run: create it and its subdirectories, see
   /// that files can be written, and treat a run that is there already as
   /// @p existing says. Done on rank 0; throws FileError on every rank alike.
-  void
-  prepare_output_directory(const std::string &directory,
-                           ExistingRun        existing,
-                           MPI_Comm           communicator);
+  void prepare_output_directory(const std::string &directory,
+                                ExistingRun        existing,
+                                MPI_Comm           communicator);
+
+  /// What is at a directory before a run, so that a run that is refused later,
+  /// for a mesh that cannot be read or a load that is infinite at the start,
+  /// leaves nothing behind.
+  class OutputTrace
+  {
+  public:
+    /// Collective; rank 0 looks.
+    OutputTrace(const std::string &directory, MPI_Comm communicator);
+
+    /// Remove the files and folders that the run has made, unless there was
+    /// another run already or a load step has been computed. Its files must
+    /// be closed. Never throws. Collective.
+    void remove_refused_run() const;
+
+  private:
+    const std::string        directory;
+    const MPI_Comm           communicator;
+    bool                     held_a_run = false;
+    std::vector<std::string> new_folders; ///< innermost first
+  };
 
   /// Throw a FileError with @p message on every rank when it is not empty on
   /// rank 0. Collective.
-  void
-  throw_on_all_ranks(const std::string &message, MPI_Comm communicator);
+  void throw_on_all_ranks(const std::string &message, MPI_Comm communicator);
 } // namespace MixedCracks
 
 #endif

@@ -4,11 +4,13 @@
 
 #include <core/registry.h>
 
+#include <deal.II/base/bounding_box.h>
 #include <deal.II/base/parameter_handler.h>
 #include <deal.II/base/point.h>
 #include <deal.II/grid/tria.h>
 
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -32,22 +34,22 @@ namespace MixedCracks
 
     /// Add the entries of this geometry; the caller has entered its
     /// subsection.
-    virtual void
-    add_parameters(dealii::ParameterHandler &prm) = 0;
+    virtual void add_parameters(dealii::ParameterHandler &prm) = 0;
 
     /// Throws InputError, with the numbers, when the values cannot be built.
-    virtual void
-    check() const = 0;
+    virtual void check() const = 0;
 
     /// Names and ids of the boundary parts, known before the mesh is built.
     virtual std::map<std::string, dealii::types::boundary_id>
     boundary_ids() const = 0;
 
+    /// The box around the domain; mm. None when only the mesh can tell.
+    virtual std::optional<dealii::BoundingBox<dim>> extent() const = 0;
+
     /// Build the coarse mesh with boundary ids, manifold ids and manifolds
     /// set. Called by every rank alike. Throws FileError when a mesh file
     /// cannot be read.
-    virtual void
-    create(dealii::Triangulation<dim> &triangulation) const = 0;
+    virtual void create(dealii::Triangulation<dim> &triangulation) const = 0;
 
     /// Slits of the mesh (doubled nodes): the phase field is 0 on them.
     virtual std::vector<Segment<dim>>
@@ -60,8 +62,7 @@ namespace MixedCracks
   /// Geometries by name; the name in lower case but for its first letter is
   /// that of its subsection ("punctured strip": "Punctured strip").
   template <int dim>
-  const Registry<Geometry<dim>> &
-  all_geometries();
+  const Registry<Geometry<dim>> &all_geometries();
 
   /// Subsection "Geometry": the name, and a subsection for each geometry.
   template <int dim>
@@ -71,12 +72,10 @@ namespace MixedCracks
     GeometryParameters();
 
     /// Enters the subsection itself.
-    void
-    add_parameters(dealii::ParameterHandler &prm);
+    void add_parameters(dealii::ParameterHandler &prm);
 
     /// Checks the chosen geometry only.
-    void
-    check() const;
+    void check() const;
 
     /// Its name in the .prm.
     const std::string &
@@ -86,8 +85,7 @@ namespace MixedCracks
     }
 
     /// The chosen one.
-    const Geometry<dim> &
-    chosen() const;
+    const Geometry<dim> &chosen() const;
 
   private:
     std::string                                           name;

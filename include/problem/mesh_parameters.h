@@ -2,9 +2,11 @@
 #ifndef mixed_cracks_problem_mesh_parameters_h
 #define mixed_cracks_problem_mesh_parameters_h
 
+#include <deal.II/base/bounding_box.h>
 #include <deal.II/base/parameter_handler.h>
 #include <deal.II/base/point.h>
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -33,8 +35,10 @@ namespace MixedCracks
     /// Enters the subsection itself.
     void add_parameters(dealii::ParameterHandler &prm);
 
-    /// Throws InputError.
-    void check() const;
+    /// Throws InputError, also for a refined box that misses the domain, of
+    /// @p extent (mm; none: not known yet).
+    void
+    check(const std::optional<dealii::BoundingBox<dim>> &extent = {}) const;
 
     /// The entry "Refined boxes". Throws InputError.
     std::vector<RefinedBox<dim>> refined_boxes() const;

@@ -29,8 +29,9 @@ namespace MixedCracks
     /// c of the criterion, an energy density (MPa): 10 G_c / l
     double       weight                = 1.;
     double       relative_tolerance    = 1e-10; ///< of the linear solves
-    unsigned int max_iterations        = 100;
-    unsigned int max_linear_iterations = 1000;
+    unsigned int max_iterations        = 12; ///< then the safeguard takes over
+    unsigned int max_descents          = 500; ///< iterations of the safeguard
+    unsigned int max_linear_iterations = 300;
   };
 
   struct ActiveSetOutcome
@@ -38,6 +39,8 @@ namespace MixedCracks
     bool         converged         = false;
     unsigned int iterations        = 0;
     unsigned int linear_iterations = 0;
+    /// how many of the iterations were those of the safeguard
+    unsigned int descents = 0;
     /// dofs held at a bound at the end, and how many changed sides in all
     dealii::types::global_dof_index n_active  = 0;
     dealii::types::global_dof_index n_changes = 0;
@@ -49,7 +52,8 @@ namespace MixedCracks
   /// Primal-dual active set method [HWW15] with two bounds. The sets are
   /// algebraic: the matrix is assembled once, each iteration solves on the
   /// free dofs only, by conjugate gradients (few and well-conditioned
-  /// unknowns), or GMRES where the operator of Wu's functional is indefinite.
+  /// unknowns). Where the sets do not settle, or the operator of Wu's
+  /// functional is indefinite, descend_within_bounds() takes over.
   class ActiveSetSolver
   {
   public:
@@ -84,8 +88,19 @@ namespace MixedCracks
                        const LinearAlgebra::Vector &residual,
                        LinearAlgebra::Vector       &correction) const;
 
+    /// Leaves with converged == false when the sets do not settle.
+    ActiveSetOutcome
+    settle(const BoundedProblem  &problem,
+           LinearAlgebra::Vector &solution,
+           LinearAlgebra::Vector &residual) const;
+
     ActiveSetOptions options;
   };
+
+  /// 1 / |diagonal| of the owned rows: the preconditioner of the free dofs.
+  void
+  invert_diagonal(const LinearAlgebra::SparseMatrix &matrix,
+                  LinearAlgebra::Vector             &inverse);
 } // namespace MixedCracks
 
 #endif

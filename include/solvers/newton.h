@@ -27,7 +27,9 @@ namespace MixedCracks
 
   struct NewtonOptions
   {
-    double       tolerance          = 1e-8; ///< of ResidualSize::largest()
+    double tolerance = 1e-8; ///< of ResidualSize::largest()
+    /// also enough: this times the residual at the start
+    double       relative_tolerance = 0.;
     unsigned int max_iterations     = 25;
     unsigned int max_bisections     = 6; ///< of the line search
     /// an old matrix is given up when it reduces the residual by less

@@ -39,7 +39,7 @@ namespace MixedCracks
   Parameters<dim>::check() const
   {
     geometry.check();
-    mesh.check();
+    mesh.check(geometry.chosen().extent());
     model.check();
     material.check();
     const auto boundaries = geometry.chosen().boundary_ids();

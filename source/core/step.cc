@@ -12,6 +12,11 @@ namespace MixedCracks
 
   namespace
   {
+    // of the elastic residual in one round of the iterated coupling
+    constexpr double inexact_reduction = 0.05;
+
+
+
     // max over the nodes of a - b, or of its modulus
     double
     largest_difference(const Vector &a, const Vector &b, const bool modulus)
@@ -105,16 +110,55 @@ namespace MixedCracks
                                  const ActiveSetOutcome &active_set,
                                  const double            change)
   {
-    log.line(printed("  %5u %9.1e %9.1e %9.1e %8u %8u %7u %7u %10.2e",
+    log.line(printed("  %5u %9.1e %9.1e %9.1e %8u %8u %8u %7u %7u %10.2e",
                      iteration,
                      newton.first.displacement,
                      newton.last.displacement,
                      newton.last.pressure,
                      static_cast<unsigned int>(active_set.n_active),
                      static_cast<unsigned int>(active_set.n_changes),
+                     active_set.descents,
                      newton.iterations,
                      newton.linear_iterations + active_set.linear_iterations,
                      change));
+  }
+
+
+
+  template <int dim>
+  NewtonOutcome
+  StepSolver<dim>::solve_elastic(const StepOutcome &so_far, State &trial)
+  {
+    NewtonOptions present = newton_options;
+    // While the phase field still moves, exact displacements are not worth
+    // their solves.
+    const bool iterated = options.kind == CouplingOptions::Kind::iterated;
+    if (iterated && (so_far.coupling_iterations == 0 ||
+                     so_far.coupling_change >= options.tolerance))
+      present.relative_tolerance = inexact_reduction;
+    return elastic.solve(trial, present);
+  }
+
+
+
+  template <int dim>
+  ActiveSetOutcome
+  StepSolver<dim>::solve_phase_field(const State           &accepted,
+                                     const FixedPhaseField &fixed,
+                                     State                 &trial,
+                                     StepOutcome           &outcome)
+  {
+    const ActiveSetOutcome active_set =
+      phase_field.solve(accepted, fixed, trial);
+    ++outcome.coupling_iterations;
+    outcome.linear_iterations += active_set.linear_iterations;
+    outcome.active_set_size = active_set.n_active;
+    outcome.active_set_changes += active_set.n_changes;
+    outcome.phase_field_change =
+      largest_difference(accepted.phase_field, trial.phase_field, false);
+    outcome.coupling_change =
+      largest_difference(trial.phase_field, trial.lagged_phase_field, true);
+    return active_set;
   }
 
 
@@ -131,12 +175,12 @@ namespace MixedCracks
     trial.phase_field = accepted.phase_field;
     elastic.predict(accepted, trial);
     log.line("  coupl  |r_u| in       out   out |r_p| active"
-             "  changes  newton  linear  |phi-phi~|");
+             "  changes descents newton  linear  |phi-phi~|");
 
     StepOutcome outcome;
     while (true)
       {
-        const NewtonOutcome newton = elastic.solve(trial, newton_options);
+        const NewtonOutcome newton = solve_elastic(outcome, trial);
         outcome.newton_iterations += newton.iterations;
         outcome.linear_iterations += newton.linear_iterations;
         if (!newton.converged)
@@ -145,16 +189,7 @@ namespace MixedCracks
             return outcome;
           }
         const ActiveSetOutcome active_set =
-          phase_field.solve(accepted, fixed, trial);
-        ++outcome.coupling_iterations;
-        outcome.linear_iterations += active_set.linear_iterations;
-        outcome.active_set_size = active_set.n_active;
-        outcome.active_set_changes += active_set.n_changes;
-        outcome.phase_field_change =
-          largest_difference(accepted.phase_field, trial.phase_field, false);
-        outcome.coupling_change = largest_difference(trial.phase_field,
-                                                     trial.lagged_phase_field,
-                                                     true);
+          solve_phase_field(accepted, fixed, trial, outcome);
         log_iteration(outcome.coupling_iterations,
                       newton,
                       active_set,
@@ -164,8 +199,10 @@ namespace MixedCracks
             outcome.reason = active_set.reason;
             return outcome;
           }
-        if (!iterated || outcome.coupling_change < options.tolerance ||
-            outcome.phase_field_change > bound)
+        const bool settled =
+          outcome.coupling_change < options.tolerance &&
+          newton.last.largest() <= newton_options.tolerance;
+        if (!iterated || settled || outcome.phase_field_change > bound)
           break;
         if (outcome.coupling_iterations >= options.max_iterations)
           {
@@ -174,7 +211,10 @@ namespace MixedCracks
                              " iterations";
             return outcome;
           }
-        advance_lagged_field(accepted, trial);
+        // a settled phase field stays, for displacements that are not
+        // accurate enough yet
+        if (!(outcome.coupling_change < options.tolerance))
+          advance_lagged_field(accepted, trial);
       }
     outcome.solved = true;
     return outcome;

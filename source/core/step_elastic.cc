@@ -13,7 +13,7 @@ namespace MixedCracks
     // Factors are used for a matrix whose degradation differs by this much at
     // most: Newton's method then needs another cheap solve or two instead of
     // a factorisation.
-    constexpr double largest_degradation_change = 0.02;
+    constexpr double largest_degradation_change = 0.1;
 
     double
     relative(const double size, const double scale)

@@ -132,10 +132,12 @@ namespace MixedCracks
 
         const unsigned int earlier_iterations = total.iterations;
         const unsigned int earlier_linear     = total.linear_iterations;
+        const unsigned int earlier_descents   = total.descents;
         const auto         earlier_changes    = total.n_changes;
         total                                 = outcome;
         total.iterations += earlier_iterations;
         total.linear_iterations += earlier_linear;
+        total.descents += earlier_descents;
         total.n_changes += earlier_changes;
         // an active set that stays as it was found has nothing left to solve
         if (!outcome.converged || is_quadratic ||

@@ -28,9 +28,32 @@ namespace MixedCracks
     bool
     holds_a_run(const fs::path &directory)
     {
-      return fs::exists(directory / "statistics.csv") ||
-             fs::exists(directory / "log.txt") ||
-             fs::exists(directory / "parameters.prm");
+      std::error_code error;
+      return fs::exists(directory / "statistics.csv", error) ||
+             fs::exists(directory / "log.txt", error) ||
+             fs::exists(directory / "parameters.prm", error);
+    }
+
+    // Also refuses a run without a checkpoint: starting over would write over
+    // its results.
+    void
+    require_checkpoint(const fs::path &directory, const bool found)
+    {
+      const fs::path folder = directory / "checkpoint";
+      if (!found || !fs::is_directory(folder) || fs::is_empty(folder))
+        throw FileError("--resume: Output/Directory '" + directory.string() +
+                        "' holds " +
+                        (found ? "a run without a" : "no run, no") +
+                        " checkpoint to continue from.");
+    }
+
+    // more than a header
+    bool
+    has_results(const fs::path &directory)
+    {
+      std::ifstream file(directory / "statistics.csv");
+      std::string   line;
+      return std::getline(file, line) && std::getline(file, line);
     }
 
     void
@@ -59,6 +82,8 @@ namespace MixedCracks
           "Output/Directory: '" + directory.string() +
           "' already holds a run. Allowed: another directory (--output DIR), "
           "--overwrite to replace it, --resume to continue it.");
+      if (existing == ExistingRun::resume)
+        require_checkpoint(directory, found);
       fs::create_directories(directory);
       require_writable(directory);
       if (found && existing == ExistingRun::overwrite)
@@ -67,6 +92,40 @@ namespace MixedCracks
       fs::create_directories(directory / "fields");
     }
   } // namespace
+
+
+
+  OutputTrace::OutputTrace(const std::string &directory,
+                           const MPI_Comm     communicator)
+    : directory(directory)
+    , communicator(communicator)
+  {
+    if (dealii::Utilities::MPI::this_mpi_process(communicator) > 0)
+      return;
+    std::error_code error; // what is wrong with it is said when it is made
+    held_a_run      = holds_a_run(directory);
+    fs::path folder = fs::absolute(directory, error).lexically_normal();
+    for (; folder.has_relative_path(); folder = folder.parent_path())
+      if (!fs::exists(folder, error) && folder.has_filename())
+        new_folders.push_back(folder.string());
+  }
+
+
+
+  void
+  OutputTrace::remove_refused_run() const
+  {
+    if (dealii::Utilities::MPI::this_mpi_process(communicator) == 0 &&
+        !held_a_run && !has_results(directory))
+    {
+      std::error_code error;
+      for (const char *name : run_files)
+        fs::remove_all(fs::path(directory) / name, error);
+      for (const std::string &folder : new_folders)
+        fs::remove(folder, error); // unless something else is in it
+    }
+    MPI_Barrier(communicator);
+  }
 
 
 
@@ -89,18 +148,18 @@ namespace MixedCracks
     std::string message;
     if (dealii::Utilities::MPI::this_mpi_process(communicator) == 0)
       try
-        {
-          prepare(directory, existing);
-        }
+      {
+        prepare(directory, existing);
+      }
       catch (const FileError &error)
-        {
-          message = error.what();
-        }
+      {
+        message = error.what();
+      }
       catch (const fs::filesystem_error &error)
-        {
-          message = "Output/Directory: '" + directory +
-                    "' cannot be made: " + error.code().message() + ".";
-        }
+      {
+        message = "Output/Directory: '" + directory +
+                  "' cannot be made: " + error.code().message() + ".";
+      }
     throw_on_all_ranks(message, communicator);
   }
 } // namespace MixedCracks

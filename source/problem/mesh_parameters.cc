@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include <core/errors.h>
 #include <core/text.h>
+#include <problem/geometries/checks.h>
 #include <problem/mesh_parameters.h>
 
 #include <deal.II/base/patterns.h>
@@ -25,6 +26,28 @@ namespace MixedCracks
       for (unsigned int d = 0; d < dim; ++d)
         point[d] = numbers[d];
       return point;
+    }
+
+    template <int dim>
+    std::string
+    corner_text(const dealii::Point<dim> &corner)
+    {
+      return point_text({corner.begin_raw(), corner.end_raw()});
+    }
+
+    // a box that refines nothing is a slip of the pen
+    template <int dim>
+    void
+    require_overlap(const RefinedBox<dim>          &box,
+                    const dealii::BoundingBox<dim> &extent)
+    {
+      const auto &[lower, upper] = extent.get_boundary_points();
+      for (unsigned int d = 0; d < dim; ++d)
+        require(box.lower[d] < upper[d] && box.upper[d] > lower[d],
+                "Mesh/Refined boxes: the box from " + corner_text(box.lower) +
+                  " to " + corner_text(box.upper) +
+                  " lies outside the domain, which is between " +
+                  corner_text(lower) + " and " + corner_text(upper) + " mm.");
     }
   } // namespace
 
@@ -66,9 +89,12 @@ namespace MixedCracks
 
   template <int dim>
   void
-  MeshParameters<dim>::check() const
+  MeshParameters<dim>::check(
+    const std::optional<dealii::BoundingBox<dim>> &extent) const
   {
-    refined_boxes();
+    for (const RefinedBox<dim> &box : refined_boxes())
+      if (extent)
+        require_overlap(box, *extent);
     if (adaptation == "none" && adaptive_levels > 0)
       throw InputError("Mesh/Adaptive levels is " +
                        std::to_string(adaptive_levels) +

@@ -4,9 +4,9 @@
 
 #include <deal.II/lac/diagonal_matrix.h>
 #include <deal.II/lac/solver_cg.h>
-#include <deal.II/lac/solver_gmres.h>
 
 #include <solvers/active_set.h>
+#include <solvers/projected_descent.h>
 
 #include <cmath>
 #include <functional>
@@ -49,23 +49,7 @@ namespace MixedCracks
 
 
 
-    // the matrix diagonal, inverted, for the preconditioner; only its size
-    // matters where the operator is indefinite
-    void
-    invert_diagonal(const LinearAlgebra::SparseMatrix &matrix, Vector &inverse)
-    {
-      std::size_t i      = 0;
-      double     *values = inverse.begin();
-      for (const auto row : inverse.locally_owned_elements())
-        {
-          const double diagonal = std::abs(matrix.diag_element(row));
-          values[i++]           = diagonal > 0. ? 1. / diagonal : 1.;
-        }
-    }
-
-
-
-    // Conjugate gradients; GMRES where they break down
+    // fails where the operator is indefinite
     LinearOutcome
     solve_free_block(const FreeBlock              &block,
                      const DiagonalMatrix<Vector> &preconditioner,
@@ -77,44 +61,38 @@ namespace MixedCracks
       const double  size = right_hand_side.l2_norm();
       if (size == 0.)
         return outcome;
-      const double tolerance = options.relative_tolerance * size;
+      SolverControl    control(options.max_linear_iterations,
+                            options.relative_tolerance * size,
+                            false,
+                            false);
+      SolverCG<Vector> solver(control);
       try
         {
-          SolverControl    control(options.max_linear_iterations,
-                                tolerance,
-                                false,
-                                false);
-          SolverCG<Vector> solver(control);
           solver.solve(block, solution, right_hand_side, preconditioner);
-          outcome.iterations = control.last_step();
-          return outcome;
         }
-      catch (const SolverControl::NoConvergence &failure)
+      catch (const SolverControl::NoConvergence &)
         {
-          outcome.iterations = failure.last_step;
-        }
-      try
-        {
-          solution = 0.;
-          SolverControl       control(options.max_linear_iterations,
-                                tolerance,
-                                false,
-                                false);
-          SolverGMRES<Vector> solver(
-            control, SolverGMRES<Vector>::AdditionalData(100, true));
-          solver.solve(block, solution, right_hand_side, preconditioner);
-          outcome.iterations += control.last_step();
-        }
-      catch (const SolverControl::NoConvergence &failure)
-        {
-          outcome.iterations += failure.last_step;
           outcome.success = false;
-          outcome.reason  = "the phase-field operator on the free nodes is "
-                           "singular or nearly so";
+          outcome.reason  = "the phase-field operator is indefinite";
         }
+      outcome.iterations = control.last_step();
       return outcome;
     }
   } // namespace
+
+
+
+  void
+  invert_diagonal(const LinearAlgebra::SparseMatrix &matrix, Vector &inverse)
+  {
+    std::size_t i      = 0;
+    double     *values = inverse.begin();
+    for (const auto row : inverse.locally_owned_elements())
+      {
+        const double diagonal = std::abs(matrix.diag_element(row));
+        values[i++]           = diagonal > 0. ? 1. / diagonal : 1.;
+      }
+  }
 
 
 
@@ -195,6 +173,29 @@ namespace MixedCracks
   ActiveSetSolver::solve(const BoundedProblem &problem,
                          Vector               &solution,
                          Vector               &residual) const
+  {
+    const Vector           start(solution), start_residual(residual);
+    const ActiveSetOutcome settled = settle(problem, solution, residual);
+    if (settled.converged)
+      return settled;
+    // downhill from where the step began, not from where a cycle left off
+    solution = start;
+    residual = start_residual;
+    ActiveSetOutcome outcome =
+      descend_within_bounds(problem, options, solution, residual);
+    outcome.descents = outcome.iterations;
+    outcome.iterations += settled.iterations;
+    outcome.linear_iterations += settled.linear_iterations;
+    outcome.n_changes += settled.n_changes;
+    return outcome;
+  }
+
+
+
+  ActiveSetOutcome
+  ActiveSetSolver::settle(const BoundedProblem &problem,
+                          Vector               &solution,
+                          Vector               &residual) const
   {
     const MPI_Comm    communicator = solution.get_mpi_communicator();
     ActiveSetOutcome  outcome;

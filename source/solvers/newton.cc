@@ -47,8 +47,11 @@ namespace MixedCracks
   {
     NewtonOutcome outcome;
     outcome.first = outcome.last = problem.residual();
-    bool force_new_matrix        = false;
-    while (!(outcome.last.largest() <= options.tolerance))
+    bool         force_new_matrix = false;
+    const double target =
+      std::max(options.tolerance,
+               options.relative_tolerance * outcome.first.largest());
+    while (!(outcome.last.largest() <= target))
       {
         if (outcome.iterations == options.max_iterations)
           {

@@ -24,6 +24,8 @@ namespace MixedCracks
     /// One rank reads the file. Throws FileError when that fails, InputError
     /// when it is no usable mesh or not the one that the entries describe; on
     /// every rank alike.
+    std::optional<dealii::BoundingBox<dim>> extent() const override;
+
     void create(dealii::Triangulation<dim> &triangulation) const override;
 
   private:

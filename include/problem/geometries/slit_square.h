@@ -20,6 +20,8 @@ namespace MixedCracks
     std::map<std::string, dealii::types::boundary_id>
     boundary_ids() const override;
 
+    std::optional<dealii::BoundingBox<dim>> extent() const override;
+
     void create(dealii::Triangulation<dim> &triangulation) const override;
 
     std::vector<Segment<dim>> slits() const override;

@@ -69,6 +69,15 @@ namespace MixedCracks
 
 
   template <int dim>
+  std::optional<dealii::BoundingBox<dim>>
+  LShape<dim>::extent() const
+  {
+    return dealii::BoundingBox<dim>({{0., 0.}, {size, size}});
+  }
+
+
+
+  template <int dim>
   void
   LShape<dim>::create(dealii::Triangulation<dim> &triangulation) const
   {

@@ -135,6 +135,15 @@ namespace MixedCracks
 
 
   template <int dim>
+  std::optional<dealii::BoundingBox<dim>>
+  MeshFile<dim>::extent() const
+  {
+    return {};
+  }
+
+
+
+  template <int dim>
   void
   MeshFile<dim>::create(dealii::Triangulation<dim> &triangulation) const
   {

@@ -169,6 +169,16 @@ namespace MixedCracks
 
 
   template <int dim>
+  std::optional<dealii::BoundingBox<dim>>
+  PuncturedStrip<dim>::extent() const
+  {
+    return dealii::BoundingBox<dim>(
+      {{0., 0.}, {measures.width, measures.height}});
+  }
+
+
+
+  template <int dim>
   void
   PuncturedStrip<dim>::create(dealii::Triangulation<dim> &triangulation) const
   {

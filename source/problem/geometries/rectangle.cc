@@ -90,6 +90,15 @@ namespace MixedCracks
 
 
   template <int dim>
+  std::optional<dealii::BoundingBox<dim>>
+  Rectangle<dim>::extent() const
+  {
+    return dealii::BoundingBox<dim>({lower_corner, upper_corner});
+  }
+
+
+
+  template <int dim>
   void
   Rectangle<dim>::create(dealii::Triangulation<dim> &triangulation) const
   {

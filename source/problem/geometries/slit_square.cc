@@ -88,6 +88,15 @@ namespace MixedCracks
 
 
   template <int dim>
+  std::optional<dealii::BoundingBox<dim>>
+  SlitSquare<dim>::extent() const
+  {
+    return dealii::BoundingBox<dim>({{0., 0.}, {size, size}});
+  }
+
+
+
+  template <int dim>
   void
   SlitSquare<dim>::create(dealii::Triangulation<dim> &triangulation) const
   {

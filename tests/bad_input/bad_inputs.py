@@ -1,0 +1,359 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""The bad inputs, as data for run_bad_inputs.py.
+
+Each case is a dictionary:
+  name       of the case
+  change     [(old, new)]: replacements in BASE, the good parameter file
+  file       the whole parameter file (bytes) instead of BASE; None: none
+  set        values of --set
+  arguments  the whole command line instead of "--set ... case.prm"
+  files      {name: bytes} other files beside it
+  folders    [name] folders beside it
+  status     expected exit status (default 2)
+  says       regular expressions that the message must contain, all of them
+  leaves     names that may be left behind (default: nothing may be)
+"""
+
+BASE = """\
+subsection Geometry
+  set Name = punctured strip
+  subsection Punctured strip
+    set Cell size = 3
+  end
+end
+subsection Model
+  set Length scale       = 2*h
+  set Residual stiffness = 0.001
+end
+subsection Material
+  set Lame lambda   = 10
+  set Shear modulus = 2.4
+  set Critical energy release rate = 17
+end
+subsection Boundary conditions
+  set Displacement = top : all : 0 ; bottom : x : 0 ; bottom : y : -t
+end
+subsection Load stepping
+  set End time      = 1
+  set First step    = 0.5
+  set Largest step  = 0.5
+  set Onset step    = 0.05
+  set Smallest step = 1e-3
+  set Force boundary = top
+end
+subsection Output
+  set Directory = results
+end
+"""
+
+STRIP = "Geometry/Punctured strip/"
+FINITE = "must be finite"
+
+
+def entry(name, value, *says, **more):
+    """A bad value of one entry; the message names it."""
+    return dict(more, name="%s = %s" % (name, value),
+                set=["%s=%s" % (name, value)], says=(name,) + says)
+
+
+def several(name, pairs, *says, **more):
+    """Values that do not go together."""
+    return dict(more, name=name, set=["%s=%s" % pair for pair in pairs], says=says)
+
+
+def line(name, change, *says):
+    """A bad line in the file; the message says where."""
+    return dict(name=name, change=[change], says=(r"case\.prm:\d+",) + says)
+
+
+def conditions(text, *says, **more):
+    return entry("Boundary conditions/Displacement", text, *says, **more)
+
+
+def usage(name, arguments, *says, **more):
+    return dict(more, name="command line: " + name, arguments=arguments, says=says)
+
+
+def mesh(name, content, *says, **more):
+    """A bad mesh file."""
+    return dict(more, name="mesh file: " + name, set=[
+        "Geometry/Name=mesh file", "Geometry/Mesh file/File name=bad.msh",
+        "Geometry/Mesh file/Boundary names=1 = bottom ; 3 = top"],
+        files={} if content is None else {"bad.msh": content},
+        says=("Geometry/Mesh file/", "bad.msh") + says)
+
+
+TRIANGLES = b"""$MeshFormat
+2.2 0 8
+$EndMeshFormat
+$Nodes
+4
+1 0 0 0
+2 1 0 0
+3 1 1 0
+4 0 1 0
+$EndNodes
+$Elements
+4
+1 1 2 1 1 1 2
+2 1 2 3 3 3 4
+3 2 2 7 7 1 2 3
+4 2 2 7 7 1 3 4
+$EndElements
+"""
+SQUARE = b"""$MeshFormat
+2.2 0 8
+$EndMeshFormat
+$Nodes
+4
+1 0 0 0
+2 1 0 0
+3 1 1 0
+4 0 1 0
+$EndNodes
+$Elements
+3
+1 1 2 1 1 1 2
+2 1 2 3 3 3 4
+3 3 2 7 7 1 2 3 4
+$EndElements
+"""
+
+PARAMETER_FILE = [
+    line("unknown entry", ("set Residual stiffness", "set Colour"),
+         "unknown entry 'Colour' in Model", "Entries of Model: .*Formulation"),
+    line("misspelt entry", ("set Length scale ", "set Lenght scale "),
+         "unknown entry 'Lenght scale'", "did you mean 'Length scale'"),
+    line("unknown subsection", ("subsection Material", "subsection Weather"),
+         "unknown subsection 'Weather'", "Subsections of .*Material"),
+    line("misspelt subsection", ("subsection Load stepping", "subsection Load steping"),
+         "unknown subsection 'Load steping'", "did you mean 'Load stepping'"),
+    line("entry in the wrong subsection", ("set Length scale ", "set Thickness "),
+         "'Thickness' in Model", "belongs in Material"),
+    line("missing end", ("  end\nend\nsubsection Model", "  end\nsubsection Model"),
+         "'?end'?", "Geometry"),
+    line("one end too many", ("subsection Model", "end\nsubsection Model"),
+         "end"),
+    line("malformed line", ("set Shear modulus = 2.4", "set Shear modulus 2.4"),
+         "Shear modulus 2.4", "="),
+    line("no statement", ("set Shear modulus = 2.4", "Shear modulus = 2.4"),
+         "Shear modulus = 2.4", "set"),
+    line("duplicate entry",
+         ("set Shear modulus = 2.4", "set Shear modulus = 2.4\n set Shear modulus = 3"),
+         "Shear modulus", "twice|already"),
+    dict(name="missing file", file=None, status=4,
+         says=("case.prm", "does not exist")),
+    dict(name="a directory as file", file=None, folders=["case.prm"], status=4,
+         says=("case.prm", "is a directory")),
+    dict(name="empty file", file=b"", says=("case.prm", "is empty")),
+    dict(name="blanks only", file=b"  \n\t\n", says=("case.prm", "is empty")),
+    dict(name="binary garbage", file=bytes(range(256)) * 4,
+         says=("case.prm", "not a text file")),
+    dict(name="included file missing", file=b"include other.prm\n", status=4,
+         says=(r"case\.prm:1", "other.prm", "does not exist")),
+]
+
+VALUES = [
+    entry("Material/Thickness", "thick", "found 'thick'", "a number"),
+    entry("Material/Thickness", "nan", "found 'nan'", "a number"),
+    entry("Material/Thickness", "inf", "found 'inf'", "a number"),
+    entry("Material/Thickness", "-2", "found '-2'"),
+    entry("Material/Thickness", "0", "found '0'"),
+    entry("Material/Thickness", "", "no value", "a number"),
+    entry("Material/Critical energy release rate", "0", "found '0'"),
+    entry("Mesh/Global refinements", "1.5", "found '1.5'", "an integer between 0 and"),
+    entry("Mesh/Global refinements", "-1", "found '-1'", "an integer between 0 and"),
+    entry("Mesh/Global refinements", "40", "found '40'", "an integer between 0 and"),
+    entry("Model/Crack density", "AT3", "'AT3'", "AT1", "AT2", "Wu"),
+    entry("Model/Formulation", "mixd", "'mixd'", "did you mean 'mixed'"),
+    entry("Linear solver/Name", "guess", "'guess'", "direct"),
+    entry("Output/Directory", "", "no value|empty", "allowed|expected"),
+    entry("Output/Fields every", "-3", "found '-3'", "an integer"),
+]
+
+MATERIAL = [
+    several("no elastic constants",
+            [("Material/Lame lambda", ""), ("Material/Shear modulus", "")],
+            "Material", "none", "pair"),
+    several("one elastic constant", [("Material/Lame lambda", "")],
+            "Material/Shear modulus", "pair"),
+    several("three elastic constants", [("Material/Bulk modulus", "100")],
+            "Material/Bulk modulus", "Material/Lame lambda",
+            "Material/Shear modulus", "pair"),
+    entry("Material/Shear modulus", "-2.4", "-2.4", "positive|greater than 0"),
+    entry("Material/Shear modulus", "soft", "soft", "number"),
+    entry("Material/Lame lambda", "0", "0", "positive|greater than 0"),
+    entry("Material/Lame lambda", "-1", "-1", "positive|greater than 0"),
+    several("Poisson ratio 0.5", [
+        ("Material/Lame lambda", ""), ("Material/Shear modulus", ""),
+        ("Material/Young's modulus", "7"), ("Material/Poisson ratio", "0.5")],
+        "Material/Poisson ratio", "0.5", "below|less than|between"),
+    several("Poisson ratio -0.2", [
+        ("Material/Lame lambda", ""), ("Material/Shear modulus", ""),
+        ("Material/Young's modulus", "7"), ("Material/Poisson ratio", "-0.2")],
+        "Material/Poisson ratio", "-0.2"),
+]
+
+GEOMETRY = [
+    entry("Geometry/Name", "sphere", "'sphere'", "rectangle", "slit square"),
+    entry(STRIP + "Height", "0", "Height is 0", "greater than 0"),
+    entry(STRIP + "Width", "-20", "found '-20'", "at least 0"),
+    entry(STRIP + "Cell size", "0", "Cell size is 0", "greater than 0"),
+    entry(STRIP + "Cell size", "300", "300", "shortest side of 20"),
+    entry(STRIP + "Cell size", "1e-6", "coarse cells", "at most"),
+    entry(STRIP + "Notch length", "15", "12 and Notch length 15|15", "too close|runs into"),
+    several("notch through the hole",
+            [(STRIP + "Notch length", "15"), (STRIP + "Notch height", "18")],
+            STRIP + "Notch height is 18", "Notch length 15", "runs into the hole",
+            r"radius 4 at \(12, 18\)"),
+    entry(STRIP + "Notch length", "20", "20", "less than the width of 20"),
+    entry(STRIP + "Notch height", "28", "28", "between 0 and the height of 28"),
+    entry(STRIP + "Hole center", "40, 18", r"\(40, 18\)", "inside the strip of 20 x 28"),
+    entry(STRIP + "Hole center", "12", "found '12'", "2 values"),
+    entry(STRIP + "Hole radius", "12", "radius 12", "inside the strip of 20 x 28"),
+    several("rectangle inside out", [
+        ("Geometry/Name", "rectangle"),
+        ("Geometry/Rectangle/Upper corner", "-1, 1")],
+        "Geometry/Rectangle/Upper corner", r"\(-1, 1\)", r"\(0, 0\)"),
+    entry("Mesh/Refined boxes", "0,10 : 20,22", "'0,10 : 20,22'", "lower corner"),
+    entry("Mesh/Refined boxes", "0,10 : 20 : 1", "'20'", "2 numbers"),
+    entry("Mesh/Refined boxes", "20,22 : 0,10 : 1", "20,22 : 0,10 : 1", "greater"),
+    entry("Mesh/Refined boxes", "0,10 : 20,22 : 1.5", "1.5", "integer"),
+    entry("Mesh/Refined boxes", "0,10 : 20,22 : 99", "99", "no more than 12"),
+    entry("Mesh/Refined boxes", "0,40 : 20,50 : 1", "0,40 : 20,50 : 1", "outside",
+          r"\(0, 0\)", r"\(20, 28\)"),
+    entry("Mesh/Adaptive levels", "2", "2", "Mesh/Adaptation"),
+    entry("Initial cracks/Cracks", "0,5", "'0,5'", "x0,y0 : x1,y1"),
+    entry("Initial cracks/Cracks", "0,5 : 1", "'1'", "2 numbers"),
+    entry("Initial cracks/Cracks", "0,5 : one,5", "one", "number"),
+    mesh("missing", None, "No such file|does not exist", status=4),
+    mesh("empty", b"", "empty"),
+    mesh("garbage", bytes(range(256)) * 9, "Gmsh|format|mesh"),
+    mesh("triangles", TRIANGLES, "quadrilateral|triangle"),
+    mesh("cut off", SQUARE[:150]),
+    mesh("twisted cell", SQUARE.replace(b"7 7 1 2 3 4", b"7 7 1 3 2 4")),
+    mesh("missing node", SQUARE.replace(b"7 7 1 2 3 4", b"7 7 1 2 3 9")),
+    dict(mesh("boundary id it does not have", SQUARE.replace(b"1 1 2 1 1", b"1 1 2 2 2")),
+         says=("Geometry/Mesh file/Boundary names", r"id 1 \(bottom\)", "ids 0, 2, 3")),
+    dict(mesh("unknown boundary names", SQUARE), set=[
+        "Geometry/Name=mesh file", "Geometry/Mesh file/File name=bad.msh",
+        "Geometry/Mesh file/Boundary names=1 = south ; 3 = north"],
+        says=("Boundary conditions/Displacement", "'top'", "north", "south")),
+]
+
+MODEL = [
+    entry("Model/Length scale", "0", "'0' is 0", "positive"),
+    entry("Model/Length scale", "-0.3", "-0.3", "positive"),
+    entry("Model/Length scale", "2*", r"'2\*'"),
+    entry("Model/Length scale", "2*x", r"'2\*x'", "unknown name 'x'"),
+    entry("Model/Length scale", "1/(h-h)", FINITE),
+    # good for h = 1, bad for the h of the mesh
+    entry("Model/Length scale", "if(h > 1.2, -1, 1)", "-1", "positive"),
+    entry("Model/Residual stiffness", "1", "'1' is 1", "below 1"),
+    entry("Model/Residual stiffness", "0", "'0' is 0", "positive"),
+    several("Q1 displacement in the mixed formulation",
+            [("Model/Displacement degree", "1")],
+            "Model/Displacement degree", "found 1", "mixed", "auto, 2"),
+    several("deviator of dimension 3 in plane stress",
+            [("Model/Deviator dimension", "3")],
+            "Model/Deviator dimension", "found 3", "plane stress", "auto, 2"),
+    entry("Load stepping/First step", "2", "2 s", "Load stepping/Largest step", "0.5 s"),
+    entry("Load stepping/Onset step", "0.7", "0.7 s", "Load stepping/Largest step"),
+    entry("Load stepping/Smallest step", "0.1", "0.1 s", "Load stepping/Onset step"),
+    entry("Load stepping/End time", "0", "found '0'"),
+    entry("Load stepping/Stop when force falls below", "1", "1", "below 1"),
+    entry("Load stepping/Largest phase-field change", "1.5", "1.5", "between 0 and 1"),
+    entry("Load stepping/Force boundary", "right", "'right'", "top", "bottom",
+          "prescribed"),
+    entry("Load stepping/Force boundary", "tpo", "'tpo'", "did you mean 'top'"),
+]
+
+CONDITIONS = [
+    conditions("", "no displacement", "top"),
+    conditions("lid : all : 0", "'lid'", "bottom, hole, left, notch, right, top"),
+    conditions("top : w : 0", "'w'", "all"),
+    conditions("top : z : 0", "'z'", "all"),
+    conditions("top : all", "'top : all'", "boundary : component : expression"),
+    conditions("top : all : 0 : 0", "boundary : component : expression"),
+    conditions("top : all : 2*(t", r"'2\*\(t'"),
+    conditions("top : all : 0,5", "decimals"),
+    conditions("top : all : velocity*t", "unknown name 'velocity'", "x, y, z, t"),
+    conditions("top : all : ", "empty|boundary : component : expression"),
+    conditions("top : all : 0 ; bottom : all : 1/t", "1/t", FINITE, "t = 0"),
+    # at one node, which one rank owns
+    conditions("top : all : 0 ; bottom : y : 1/(x-20)", FINITE, "x = 20, y = 0"),
+    conditions("top : all : 0 ; bottom : y : if(x > 19.9, 1/(t-0.5), -t)", FINITE,
+               "x = 20, y = 0", "t = 0.5", leaves=["results"]),
+    conditions("top : all : 0 ; right : phase field : 1/(t-0.5)", FINITE, "t = 0.5",
+               leaves=["results"]),
+    entry("Boundary conditions/Traction", "rigth : x : 1", "'rigth'",
+          "did you mean 'right'"),
+    entry("Boundary conditions/Traction", "right : phase field : 1", "'phase field'"),
+    entry("Boundary conditions/Traction", "right : x : log(y-3)", FINITE, "x = 20"),
+    entry("Boundary conditions/Body force", "x : 1 : 2", "component : expression"),
+    entry("Boundary conditions/Body force", "y : sqrt(26-y)", FINITE, "y = 2[67]"),
+    entry("Boundary conditions/Unbreakable margin", "-1", "found '-1'", "at least 0"),
+]
+
+RUN = {"results/statistics.csv": b"step\n0\n", "results/log.txt": b"log\n",
+       "results/parameters.prm": b"\n"}
+
+OUTPUT = [
+    dict(name="output below a file", set=["Output/Directory=case.prm/results"],
+         status=4, says=("Output/Directory", "case.prm/results")),
+    dict(name="output is a file", set=["Output/Directory=case.prm"],
+         status=4, says=("Output/Directory", "'case.prm'", "is a file", "directory")),
+    dict(name="output cannot be made", set=["Output/Directory=/proc/results"],
+         status=4, says=("Output/Directory", "/proc/results")),
+    dict(name="files cannot be written", set=["Output/Directory=/proc/self"],
+         status=4, says=("Output/Directory", "/proc/self", "written")),
+    dict(name="existing results", files=RUN, status=4,
+         says=("Output/Directory", "'results'", "already holds a run", "--overwrite")),
+    usage("--resume without a run", ["--resume", "case.prm"], "--resume", "'results'",
+          "no run|no checkpoint", status=4),
+    usage("--resume without a checkpoint", ["--resume", "case.prm"], "--resume",
+          "'results'", "checkpoint", files=RUN, status=4),
+    usage("--output below a file", ["--output", "case.prm/x", "case.prm"],
+          "Output/Directory", "case.prm/x", status=4),
+    # the old results stay until the new case is known to be good
+    usage("--overwrite with a bad mesh", [
+        "--overwrite", "--set", "Geometry/Name=mesh file", "--set",
+        "Geometry/Mesh file/File name=no.msh", "--set",
+        "Geometry/Mesh file/Boundary names=1 = bottom ; 3 = top", "case.prm"],
+        "no.msh", files=RUN, status=4),
+]
+
+COMMAND_LINE = [
+    usage("nothing", [], "no parameter file", "Usage"),
+    usage("unknown option", ["--chekc", "case.prm"], "'--chekc'",
+          "did you mean '--check'"),
+    usage("single dash", ["-x", "case.prm"], "'-x'", "--check"),
+    usage("two files", ["case.prm", "other.prm"], "two parameter files", "other.prm"),
+    usage("empty argument", ["", "case.prm"], "an argument is empty"),
+    usage("--set without a value", ["case.prm", "--set"], "--set", "needs a value"),
+    usage("--set without =", ["--set", "Material/Thickness", "case.prm"],
+          "Material/Thickness", "Entry=value"),
+    usage("--set without a name", ["--set", "=3", "case.prm"], "'=3'", "Entry=value"),
+    usage("--set of an unknown entry", ["--set", "Material/Thicknes=3", "case.prm"],
+          "'Thicknes'", "did you mean 'Thickness'"),
+    usage("--set of an unknown subsection", ["--set", "Materail/Thickness=3", "case.prm"],
+          "'Materail'", "did you mean 'Material'|belongs in"),
+    usage("--set without subsection", ["--set", "Thickness=3", "case.prm"],
+          "'Thickness'", "belongs in Material"),
+    usage("--set with a bad value", ["--set", "Material/Thickness=x", "case.prm"],
+          "--set", "Material/Thickness", "found 'x'", "a number"),
+    usage("--set twice", ["--set", "Material/Thickness=1", "--set",
+                          "Material/Thickness=2", "case.prm"],
+          "Material/Thickness", "twice"),
+    usage("--output without a value", ["case.prm", "--output"], "--output",
+          "needs a value"),
+    usage("--parameters nonsense", ["--parameters", "nonsense"], "--parameters",
+          "'nonsense'", "prm", "json", "markdown"),
+    usage("--check with a value", ["--check=yes", "case.prm"], "--check",
+          "takes no value", "'yes'"),
+    usage("--resume with --overwrite", ["--resume", "--overwrite", "case.prm"],
+          "--resume", "--overwrite", "exclude"),
+]
+
+CASES = (PARAMETER_FILE + VALUES + MATERIAL + GEOMETRY + MODEL + CONDITIONS
+         + OUTPUT + COMMAND_LINE)

@@ -1,0 +1,162 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""Gives the program bad input and looks at what it says.
+
+    run_bad_inputs.py EXECUTABLE MPIRUN RANKS [part of a case's name]
+
+Whatever is wrong, the program has to leave within 20 seconds with the right
+exit status, say so once (on one rank) on the error stream in words that name
+what was found and what is allowed, without traces of the inside, and leave no
+files. The cases are in bad_inputs.py. Prints every offence; exit status 1 when
+there is one.
+"""
+import os
+import re
+import signal
+import subprocess
+import sys
+import tempfile
+import time
+
+from bad_inputs import BASE, CASES
+
+TIME_LIMIT = 20  # s
+MESSAGE = "mixed-cracks: error: "
+# what a user must never see
+INSIDE = re.compile(r"terminate called|MPI_ABORT|MPI_Abort|Stacktrace|#\d+ +/"
+                    r"|An error occurred in line|dealii::|std::|exception"
+                    r"|internal error|Assert|Segmentation|assignment of", re.I)
+
+
+def parameter_file(case):
+    """Bytes of case.prm, or None."""
+    if "file" in case:
+        return case["file"]
+    text = BASE
+    for old, new in case.get("change", []):
+        if text.count(old) != 1:
+            raise ValueError("%s: '%s' is not once in BASE" % (case["name"], old))
+        text = text.replace(old, new)
+    return text.encode()
+
+
+def prepare(case, folder):
+    """Write the files of a case."""
+    files = dict(case.get("files", {}))
+    if parameter_file(case) is not None:
+        files["case.prm"] = parameter_file(case)
+    for name in case.get("folders", []):
+        os.makedirs(os.path.join(folder, name))
+    for name, content in files.items():
+        path = os.path.join(folder, name)
+        os.makedirs(os.path.dirname(path), exist_ok=True)
+        with open(path, "wb") as stream:
+            stream.write(content)
+
+
+def content(folder):
+    """{path: bytes, or None for a folder} of all below a folder."""
+    found = {}
+    for parent, folders, files in os.walk(folder):
+        for name in folders:
+            found[os.path.relpath(os.path.join(parent, name), folder)] = None
+        for name in files:
+            path = os.path.join(parent, name)
+            with open(path, "rb") as stream:
+                found[os.path.relpath(path, folder)] = stream.read()
+    return found
+
+
+def arguments(case):
+    if "arguments" in case:
+        return case["arguments"]
+    return [word for text in case.get("set", []) for word in ("--set", text)] \
+        + ["case.prm"]
+
+
+def run(command, folder):
+    """(exit status or None when it took too long, stdout, stderr)."""
+    process = subprocess.Popen(command, cwd=folder, stdin=subprocess.DEVNULL,
+                               stdout=subprocess.PIPE, stderr=subprocess.PIPE,
+                               start_new_session=True)
+    try:
+        out, err = process.communicate(timeout=TIME_LIMIT)
+        status = process.returncode
+    except subprocess.TimeoutExpired:
+        os.killpg(process.pid, signal.SIGTERM)  # mpirun passes it on
+        out, err = process.communicate()
+        status = None
+    return status, out.decode(errors="replace"), err.decode(errors="replace")
+
+
+def message_of(err):
+    """The program's message, without what mpirun adds to it."""
+    begin = err.find(MESSAGE)
+    if begin < 0:
+        return ""
+    return re.split(r"\n-{20,}", err[begin:])[0]
+
+
+def left_behind(case, before, after):
+    """What a refused run may not change."""
+    changed = [path for path in after
+               if path not in before or after[path] != before[path]]
+    changed += [path for path in before if path not in after]
+    allowed = case.get("leaves", [])
+    return [path for path in sorted(changed) if path.split(os.sep)[0] not in allowed]
+
+
+def offences(case, command, folder):
+    prepare(case, folder)
+    before = content(folder)
+    status, out, err = run(command + arguments(case), folder)
+    if status is None:
+        yield "still running after %d s" % TIME_LIMIT
+    elif status != case.get("status", 2):
+        yield "exit status %d, expected %d" % (status, case.get("status", 2))
+    if err.count(MESSAGE) != 1:
+        yield "%d messages on the error stream, expected 1" % err.count(MESSAGE)
+    if MESSAGE in out:
+        yield "the message is in the output"
+    message = message_of(err)
+    for pattern in case["says"]:
+        if not re.search(pattern, message):
+            yield "the message does not contain /%s/" % pattern
+    for text in INSIDE.findall(out + err):
+        yield "a user sees '%s'" % text
+    for path in left_behind(case, before, content(folder)):
+        yield "changed or left behind: " + path
+    if message:
+        yield "| " + message.strip().replace("\n", "\n      | ")
+    elif err:
+        yield "| " + err.strip().replace("\n", "\n      | ")[:2000]
+
+
+def main():
+    if len(sys.argv) < 4:
+        sys.exit(__doc__)
+    command = [sys.argv[2], "-n", sys.argv[3], os.path.abspath(sys.argv[1])]
+    wanted = sys.argv[4] if len(sys.argv) > 4 else ""
+    names = [case["name"] for case in CASES]
+    twice = {name for name in names if names.count(name) > 1}
+    if twice:
+        sys.exit("two cases of one name: %s" % ", ".join(sorted(twice)))
+    n_failed, start = 0, time.time()
+    cases = [case for case in CASES if wanted in case["name"]]
+    for case in cases:
+        with tempfile.TemporaryDirectory() as folder:
+            found = list(offences(case, command, folder))
+        failed = any(not text.startswith("|") for text in found)
+        n_failed += failed
+        if failed or wanted:
+            print("%s: %s" % ("FAILED" if failed else "passed", case["name"]))
+            for text in found:
+                print("      " + text)
+            sys.stdout.flush()
+    print("%d bad inputs, %d failed, %.0f s"
+          % (len(cases), n_failed, time.time() - start))
+    return 1 if n_failed or not cases else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

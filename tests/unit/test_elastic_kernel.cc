@@ -1,0 +1,231 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// The elastic cell kernel: its Jacobian against differences of its residual,
+// its residual against differences of its energy, and the patch test.
+#include "materials.h"
+#include "single_cell.h"
+#include "strains.h"
+
+#include <assembly/elastic_kernel.h>
+
+#include <deal.II/base/quadrature_lib.h>
+#include <deal.II/fe/fe_q.h>
+#include <deal.II/fe/fe_system.h>
+#include <deal.II/fe/mapping_q.h>
+
+#include <gtest/gtest.h>
+
+using namespace MixedCracks;
+using namespace MixedCracks::Testing;
+
+namespace
+{
+  // a cell of Q2-Q1 elements has 89 unknowns in 3-d
+  template <int dim>
+  constexpr unsigned int n_states = dim == 2 ? 4 : 1;
+
+  // One kernel on one cell, and local values near a state of constant strain
+  // and pressure that keeps its distance to the kinks of the splits
+  template <int dim>
+  class OneCell
+  {
+  public:
+    using Strain = dealii::SymmetricTensor<2, dim>;
+
+    OneCell(const bool mixed, const Material<dim> &material)
+      : mixed(mixed)
+      , mapping(1)
+      , quadrature(mixed ? 3 : 2)
+      , element(make_element(mixed))
+      , kernel(element, mapping, quadrature, material, mixed)
+    {
+      make_crooked_cell(triangulation);
+      kernel.reinit(triangulation.begin());
+      for (unsigned int i = 0; i < element.n_dofs_per_cell(); ++i)
+        block.push_back(component(i) < dim ? 0 : 1);
+      // damaged, and different at every point
+      const LocalVector random = random_values(quadrature.size(), 3);
+      for (const double value : random)
+        lagged_phase_field.push_back(0.5 + 0.45 * value);
+    }
+
+    // disturbed, so that no two points see the same state
+    LocalVector
+    values_near(const Strain &strain, const double pressure) const
+    {
+      LocalVector values = random_values(element.n_dofs_per_cell());
+      const auto  cell   = triangulation.begin();
+      for (unsigned int i = 0; i < values.size(); ++i)
+        if (block[i] == 0)
+        {
+          const auto position = mapping.transform_unit_to_real_cell(
+            cell, element.base_element(0).get_unit_support_points()
+                    [element.system_to_component_index(i).second]);
+          values(i) = 1e-6 * values(i) + (strain * position)[component(i)];
+        }
+        else
+          values(i) = pressure * (1. + 0.1 * values(i));
+      return values;
+    }
+
+    LocalVector
+    steps(const double displacement, const double pressure) const
+    {
+      LocalVector result(block.size());
+      for (unsigned int i = 0; i < block.size(); ++i)
+        result(i) = block[i] == 0 ? displacement : pressure;
+      return result;
+    }
+
+    LocalVector
+    residual(const LocalVector &local)
+    {
+      LocalVector result(local.size());
+      kernel.set_state(local, lagged_phase_field);
+      kernel.residual(result);
+      return result;
+    }
+
+    double
+    energy(const LocalVector &local)
+    {
+      kernel.set_state(local, lagged_phase_field);
+      return kernel.energy();
+    }
+
+    unsigned int
+    component(const unsigned int dof) const
+    {
+      return element.system_to_component_index(dof).first;
+    }
+
+    const bool                      mixed;
+    dealii::Triangulation<dim>      triangulation;
+    const dealii::MappingQ<dim>     mapping;
+    const dealii::QGauss<dim>       quadrature;
+    const dealii::FESystem<dim>     element;
+    ElasticKernel<dim>              kernel;
+    std::vector<double>             lagged_phase_field;
+    std::vector<unsigned int>       block; // 0 displacement, 1 pressure
+
+  private:
+    static dealii::FESystem<dim>
+    make_element(const bool mixed)
+    {
+      const dealii::FE_Q<dim> linear(1), quadratic(2);
+      if (mixed)
+        return dealii::FESystem<dim>(quadratic, dim, linear, 1);
+      return dealii::FESystem<dim>(linear, dim);
+    }
+  };
+
+  template <int dim>
+  void
+  compare_jacobian(OneCell<dim> &cell, const LocalVector &local)
+  {
+    const auto expected = difference_matrix(
+      [&](const LocalVector &values) { return cell.residual(values); },
+      local,
+      cell.steps(1e-8, 1e-6));
+    dealii::FullMatrix<double> found(local.size(), local.size());
+    cell.kernel.set_state(local, cell.lagged_phase_field);
+    cell.kernel.jacobian(found);
+    expect_equal_by_blocks(found, expected, cell.block, 1e-6);
+  }
+} // namespace
+
+template <typename Dimension>
+class ElasticKernelOf : public ::testing::Test
+{};
+TYPED_TEST_SUITE(ElasticKernelOf, Dimensions, );
+
+
+
+TYPED_TEST(ElasticKernelOf, MixedJacobianIsTheDerivativeOfTheResidual)
+{
+  constexpr int dim = TypeParam::value;
+  for_all_materials<dim>([](const Material<dim> &material) {
+    OneCell<dim> cell(true, material);
+    for (const auto &strain : random_strains<dim>(n_states<dim>))
+      for (const double pressure : {0.3, -0.2})
+        compare_jacobian(cell, cell.values_near(strain, pressure));
+  });
+}
+
+
+
+TYPED_TEST(ElasticKernelOf, DisplacementJacobianIsTheDerivativeOfTheResidual)
+{
+  constexpr int dim = TypeParam::value;
+  for_all_materials<dim>([](const Material<dim> &material) {
+    OneCell<dim> cell(false, material);
+    for (const auto &strain : random_strains<dim>(n_states<dim>))
+      compare_jacobian(cell, cell.values_near(strain, 0.));
+  });
+}
+
+
+
+TYPED_TEST(ElasticKernelOf, DisplacementResidualIsTheDerivativeOfTheEnergy)
+{
+  // with the pressure eliminated every law derives from an energy
+  constexpr int dim = TypeParam::value;
+  for_all_materials<dim>([](const Material<dim> &material) {
+    OneCell<dim> cell(false, material);
+    for (const auto &strain : random_strains<dim>(n_states<dim>))
+    {
+      const LocalVector local    = cell.values_near(strain, 0.);
+      const LocalVector found    = cell.residual(local);
+      const LocalVector expected = difference_gradient(
+        [&](const LocalVector &values) { return cell.energy(values); },
+        local,
+        cell.steps(1e-7, 1.));
+      for (unsigned int i = 0; i < local.size(); ++i)
+        EXPECT_NEAR(found(i), expected(i), 1e-6 * expected.linfty_norm());
+    }
+  });
+}
+
+
+
+TYPED_TEST(ElasticKernelOf, PassesThePatchTestWhenIntact)
+{
+  // constant strain, p = lambda tr eps: constraint met, and the stress of
+  // Hooke's law times the gradients of the shape functions
+  constexpr int dim = TypeParam::value;
+  for_all_materials<dim>([](const Material<dim> &material) {
+    OneCell<dim> cell(true, material);
+    cell.lagged_phase_field.assign(cell.quadrature.size(), 1.);
+    const auto  strain   = random_strains<dim>(1)[0];
+    const auto  identity = dealii::unit_symmetric_tensor<dim>();
+    const auto  stress   = 2. * mu * strain + lambda * trace(strain) * identity;
+    LocalVector local    = cell.values_near(strain, 0.);
+    for (unsigned int i = 0; i < local.size(); ++i)
+      if (cell.block[i] == 1)
+        local(i) = lambda * trace(strain);
+      else
+        local(i) -= 1e-6 * random_values(local.size())(i);
+    const LocalVector found = cell.residual(local);
+
+    dealii::FEValues<dim> fe_values(cell.mapping,
+                                    cell.element,
+                                    cell.quadrature,
+                                    dealii::update_gradients |
+                                      dealii::update_JxW_values);
+    fe_values.reinit(cell.triangulation.begin());
+    double volume = 0.;
+    LocalVector expected(local.size());
+    for (unsigned int q = 0; q < cell.quadrature.size(); ++q)
+    {
+      volume += fe_values.JxW(q);
+      for (unsigned int i = 0; i < local.size(); ++i)
+        for (unsigned int d = 0; d < dim && cell.block[i] == 0; ++d)
+          expected(i) += stress[cell.component(i)][d] *
+                         fe_values.shape_grad(i, q)[d] * fe_values.JxW(q);
+    }
+    for (unsigned int i = 0; i < local.size(); ++i)
+      EXPECT_NEAR(found(i), expected(i), 1e-12 * expected.linfty_norm());
+    EXPECT_NEAR(cell.energy(local),
+                0.5 * (stress * strain) * volume,
+                1e-12 * (stress * strain) * volume);
+  });
+}

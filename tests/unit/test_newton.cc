@@ -1,0 +1,230 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// Newton's method on functions of one variable, given by callbacks.
+#include <solvers/newton.h>
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+
+using namespace MixedCracks;
+
+namespace
+{
+  // f(x) = 0 with the derivative of a matrix that may be an old one
+  struct ScalarProblem
+  {
+    std::function<double(double)> value;
+    std::function<double(double)> derivative;
+    double                        x             = 0.;
+    double                        slope         = 0.; // 0: no matrix yet
+    bool                          keeps_old_one = false;
+    unsigned int                  n_matrices    = 0;
+    unsigned int                  n_forced      = 0;
+    double                        correction    = 0.;
+
+    NewtonOutcome
+    solve(const NewtonOptions &options = {})
+    {
+      NewtonProblem problem;
+      problem.residual = [this]() {
+        return ResidualSize{std::abs(value(x)), 0.};
+      };
+      problem.update_matrix = [this](const bool force) {
+        n_forced += force;
+        if (slope == 0. || force || !keeps_old_one)
+        {
+          slope = derivative(x);
+          ++n_matrices;
+        }
+        return LinearOutcome();
+      };
+      problem.solve = [this]() {
+        correction = -value(x) / slope;
+        return LinearOutcome{true, 1, ""};
+      };
+      problem.move = [this](const double factor) { x += factor * correction; };
+      return solve_newton(problem, options);
+    }
+  };
+
+  // weak in compression, stiff in tension, as a split has it
+  ScalarProblem
+  kinked(const double load)
+  {
+    return {[load](const double x) { return (x < 0. ? 0.1 : 1.) * x - load; },
+            [](const double x) { return x < 0. ? 0.1 : 1.; }};
+  }
+} // namespace
+
+
+
+TEST(Newton, SolvesALinearProblemInOneIteration)
+{
+  ScalarProblem       problem{[](const double x) { return 2. * x - 4.; },
+                        [](double) { return 2.; }};
+  const NewtonOutcome outcome = problem.solve();
+  EXPECT_TRUE(outcome.converged);
+  EXPECT_EQ(outcome.iterations, 1u);
+  EXPECT_EQ(outcome.linear_iterations, 1u);
+  EXPECT_EQ(problem.n_matrices, 1u);
+  EXPECT_DOUBLE_EQ(problem.x, 2.);
+  EXPECT_DOUBLE_EQ(outcome.first.displacement, 4.);
+  EXPECT_DOUBLE_EQ(outcome.last.displacement, 0.);
+}
+
+
+
+TEST(Newton, DoesNothingAtTheSolution)
+{
+  ScalarProblem problem{[](const double x) { return 2. * x - 4.; },
+                        [](double) { return 2.; },
+                        2.};
+  const NewtonOutcome outcome = problem.solve();
+  EXPECT_TRUE(outcome.converged);
+  EXPECT_EQ(outcome.iterations, 0u);
+  EXPECT_EQ(problem.n_matrices, 0u);
+}
+
+
+
+TEST(Newton, CrossesAKink)
+{
+  for (const double start : {-7., -0.01, 5.})
+    for (const double load : {-0.3, 2.})
+    {
+      ScalarProblem problem       = kinked(load);
+      problem.x                   = start;
+      const NewtonOutcome outcome = problem.solve();
+      EXPECT_TRUE(outcome.converged) << outcome.reason;
+      // one step to the right side of the kink, halved steps included
+      EXPECT_LE(outcome.iterations, 3u);
+      EXPECT_NEAR(problem.x, load < 0. ? 10. * load : load, 1e-7);
+    }
+}
+
+
+
+TEST(Newton, ForcesANewMatrixWhenTheOldOneFails)
+{
+  ScalarProblem problem = kinked(2.);
+  problem.x             = 1.;
+  problem.keeps_old_one = true;
+  problem.slope         = 0.6; // contracts by 2/3 only
+  const NewtonOutcome outcome = problem.solve();
+  EXPECT_TRUE(outcome.converged) << outcome.reason;
+  EXPECT_EQ(problem.n_forced, 1u);
+  EXPECT_EQ(problem.n_matrices, 1u);
+  EXPECT_EQ(outcome.iterations, 2u);
+  EXPECT_NEAR(problem.x, 2., 1e-7);
+}
+
+
+
+TEST(Newton, UsesAnOldMatrixAsLongAsItContracts)
+{
+  ScalarProblem problem = kinked(2.);
+  problem.x             = 1.;
+  problem.keeps_old_one = true;
+  problem.slope         = 1.05; // contracts by 1/21
+  const NewtonOutcome outcome = problem.solve();
+  EXPECT_TRUE(outcome.converged) << outcome.reason;
+  EXPECT_EQ(problem.n_matrices, 0u);
+  EXPECT_NEAR(problem.x, 2., 1e-7);
+}
+
+
+
+TEST(Newton, SurvivesAnOldMatrixThatDiverges)
+{
+  ScalarProblem problem = kinked(2.);
+  problem.x             = 1.;
+  problem.keeps_old_one = true;
+  problem.slope         = 0.02; // a full step would overshoot fiftyfold
+  const NewtonOutcome outcome = problem.solve();
+  EXPECT_TRUE(outcome.converged) << outcome.reason;
+  EXPECT_LE(outcome.iterations, 3u);
+  EXPECT_NEAR(problem.x, 2., 1e-7);
+}
+
+
+
+TEST(Newton, ReportsDivergence)
+{
+  ScalarProblem       problem{[](const double x) { return 1. + x * x; },
+                        [](const double x) { return 2. * x; },
+                        1.3};
+  const NewtonOutcome outcome = problem.solve();
+  EXPECT_FALSE(outcome.converged);
+  EXPECT_FALSE(outcome.reason.empty());
+  EXPECT_LE(outcome.iterations, NewtonOptions().max_iterations);
+}
+
+
+
+TEST(Newton, ReportsAResidualThatIsNoNumber)
+{
+  ScalarProblem problem{
+    [](const double x) { return x < 1.5 ? 2. * x - 4. : std::sqrt(-x); },
+    [](double) { return 2.; },
+    0.};
+  NewtonOptions options;
+  options.max_bisections      = 0;
+  const NewtonOutcome outcome = problem.solve(options);
+  EXPECT_FALSE(outcome.converged);
+  EXPECT_FALSE(outcome.reason.empty());
+}
+
+
+
+TEST(Newton, PassesTheReasonOfAFailedSolveOn)
+{
+  NewtonProblem problem;
+  problem.residual      = []() { return ResidualSize{1., 0.}; };
+  problem.update_matrix = [](bool) { return LinearOutcome(); };
+  problem.solve = []() { return LinearOutcome{false, 0, "out of memory"}; };
+  problem.move  = [](double) {};
+  NewtonOutcome outcome = solve_newton(problem, {});
+  EXPECT_FALSE(outcome.converged);
+  EXPECT_NE(outcome.reason.find("out of memory"), std::string::npos);
+
+  problem.update_matrix = [](bool) {
+    return LinearOutcome{false, 0, "singular"};
+  };
+  outcome = solve_newton(problem, {});
+  EXPECT_FALSE(outcome.converged);
+  EXPECT_NE(outcome.reason.find("singular"), std::string::npos);
+}
+
+
+
+TEST(Newton, StopsAtTheRelativeTolerance)
+{
+  ScalarProblem problem = kinked(2.);
+  problem.x             = 1.;
+  problem.keeps_old_one = true;
+  problem.slope         = 1.05;
+  NewtonOptions options;
+  options.relative_tolerance  = 0.05;
+  const NewtonOutcome outcome = problem.solve(options);
+  EXPECT_TRUE(outcome.converged);
+  EXPECT_EQ(outcome.iterations, 1u);
+  EXPECT_NEAR(outcome.last.largest(), 1. / 21., 1e-12);
+}
+
+
+
+TEST(Newton, JudgesTheLargerOfBothResiduals)
+{
+  unsigned int  n_moves = 0;
+  NewtonProblem problem;
+  problem.residual = [&]() {
+    return ResidualSize{0., n_moves == 0 ? 1. : 0.};
+  };
+  problem.update_matrix = [](bool) { return LinearOutcome(); };
+  problem.solve         = []() { return LinearOutcome(); };
+  problem.move          = [&](double) { ++n_moves; };
+  const NewtonOutcome outcome = solve_newton(problem, {});
+  EXPECT_TRUE(outcome.converged);
+  EXPECT_EQ(outcome.iterations, 1u);
+}
