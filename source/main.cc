@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
+#include <core/case_signature.h>
 #include <core/command_line.h>
 #include <core/parameter_file.h>
 #include <core/parameter_manual.h>
 #include <core/simulation.h>
+#include <core/stop_request.h>
 #include <core/version.h>
 
 #include <output/directory.h>
@@ -73,6 +75,7 @@ namespace
   RunOutcome
   simulate(const Parameters<dimension>                              &parameters,
            const std::string                                        &effective,
+           const std::string                                        &signature,
            const std::function<RunOutcome(Simulation<dimension> &)> &action)
   {
     const OutputTrace  trace(parameters.output.directory, MPI_COMM_WORLD);
@@ -81,7 +84,7 @@ namespace
     {
       Log                   log(on_first_rank());
       Simulation<dimension> simulation(
-        parameters, effective, MPI_COMM_WORLD, log);
+        parameters, effective, signature, MPI_COMM_WORLD, log);
       try
       {
         outcome = action(simulation);
@@ -136,7 +139,9 @@ namespace
                             : command.resume  ? ExistingRun::resume
                                               : ExistingRun::refuse);
     };
-    return simulate(parameters, effective.str(), action).exit_status;
+    listen_for_stop_requests();
+    return simulate(parameters, effective.str(), case_signature(prm), action)
+      .exit_status;
   }
 
 

@@ -7,6 +7,7 @@
 
 #include <deal.II/distributed/tria.h>
 
+#include <output/checkpoint.h>
 #include <output/directory.h>
 #include <output/field_output.h>
 #include <output/quantities.h>
@@ -32,10 +33,12 @@ namespace MixedCracks
   {
   public:
     /// @p effective_parameters: the complete .prm, to be kept with the
-    /// results. The parameters have passed their checks and must outlive the
+    /// results. @p signature: the part of it that a resumed run must share.
+    /// The parameters have passed their checks and must outlive the
     /// simulation.
     Simulation(const Parameters<dim> &parameters,
                const std::string     &effective_parameters,
+               const std::string     &signature,
                MPI_Comm               communicator,
                Log                   &log);
 
@@ -60,9 +63,25 @@ namespace MixedCracks
     State
     initial_state();
 
-    /// Try steps until one is accepted (true) or the smallest has failed.
-    bool
+    enum class Progress
+    {
+      accepted,
+      failed,    ///< at the smallest step
+      interrupted ///< the user or the clock asked to stop
+    };
+
+    /// Try steps until one is accepted, or there is no way on.
+    Progress
     advance(State &accepted);
+
+    State
+    resumed_state();
+
+    void
+    write_checkpoint(const State &state);
+
+    bool
+    stop_now() const;
 
     StepOutcome
     solve_step(const State &accepted, State &trial, double bound);
@@ -77,7 +96,7 @@ namespace MixedCracks
     write_fields_when_due(const State &state);
 
     RunOutcome
-    finish(const State &last, bool given_up);
+    finish(const State &last, Progress progress);
 
     Summary
     summarize(const RunOutcome &outcome);
@@ -99,6 +118,7 @@ namespace MixedCracks
 
     const Parameters<dim> &parameters;
     const std::string      effective_parameters;
+    const std::string      signature;
     const MPI_Comm         communicator;
     Log                   &log;
     dealii::TimerOutput    timer;
@@ -120,6 +140,8 @@ namespace MixedCracks
     StatisticsTable         statistics;
     FieldOutput<dim>        field_output;
     double                  external_work = 0.; // mJ
+    Checkpoint<dim>         checkpoint;
+    std::optional<RunRecord> resumed;
     State                   peak_state;
     unsigned int            peak_step = 0;
     bool                    separated = false;

@@ -21,12 +21,12 @@ namespace MixedCracks
   make_mesh(const Parameters<dim>      &parameters,
             dealii::Triangulation<dim> &triangulation);
 
-  /// Smallest edge-like size of the cells, diameter / sqrt(dim), mm.
-  /// Collective.
+  /// Mean size of the cells of the finest level, measure^(1/dim), mm: the h
+  /// of expressions. Collective.
   template <int dim>
   double
-  smallest_cell_size(const dealii::Triangulation<dim> &triangulation,
-                     MPI_Comm                          communicator);
+  finest_cell_size(const dealii::Triangulation<dim> &triangulation,
+                   MPI_Comm                          communicator);
 
   template <int dim>
   std::vector<PrescribedComponent<dim>>

@@ -6,6 +6,8 @@
 #include <core/step_elastic.h>
 #include <core/step_phase_field.h>
 
+#include <functional>
+
 namespace MixedCracks
 {
   /// Which phase field the degradation is evaluated with, (M9).
@@ -20,7 +22,10 @@ namespace MixedCracks
     Kind         kind            = Kind::iterated;
     double       tolerance       = 1e-3; ///< of max|phi - phi~|
     double       over_relaxation = 1.;
-    unsigned int max_iterations  = 2000;
+    /// largest factor of Aitken's acceleration; off when not larger than
+    /// over_relaxation
+    double       largest_acceleration = 1.;
+    unsigned int max_iterations       = 2000;
   };
 
   /// What a load step came to; the same on every rank.
@@ -29,6 +34,7 @@ namespace MixedCracks
     /// the equations are solved, or were left because the phase field has
     /// changed by more than allowed
     bool         solved              = false;
+    bool         interrupted         = false; ///< the user asked to stop
     double       phase_field_change  = 0.; ///< max(phi^(n-1) - phi^n)
     double       coupling_change     = 0.; ///< last max|phi - phi~|
     unsigned int coupling_iterations = 0;
@@ -49,6 +55,7 @@ namespace MixedCracks
                PhaseFieldStep<dim>   &phase_field,
                const CouplingOptions &options,
                const NewtonOptions   &newton_options,
+               std::function<bool()>  stop_requested,
                MPI_Comm               communicator,
                Log                   &log);
 
@@ -65,7 +72,10 @@ namespace MixedCracks
     start_lagged_field(const State &accepted, State &trial) const;
 
     void
-    advance_lagged_field(const State &accepted, State &trial) const;
+    advance_lagged_field(const State &accepted, State &trial);
+
+    double
+    acceleration(const LinearAlgebra::Vector &difference) const;
 
     NewtonOutcome
     solve_elastic(const StepOutcome &so_far, State &trial);
@@ -86,8 +96,13 @@ namespace MixedCracks
     PhaseFieldStep<dim>  &phase_field;
     const CouplingOptions options;
     const NewtonOptions   newton_options;
+    const std::function<bool()> stop_requested;
     const MPI_Comm        communicator;
     Log                  &log;
+
+    // of the last advance of the lagged field: phi - phi~ and its factor
+    LinearAlgebra::Vector last_difference;
+    double                last_factor = 0.;
   };
 } // namespace MixedCracks
 

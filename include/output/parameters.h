@@ -11,8 +11,10 @@ namespace MixedCracks
   /// Subsection "Output".
   struct OutputParameters
   {
-    std::string directory    = "results";
-    int         fields_every = 10;
+    std::string directory        = "results";
+    int         fields_every     = 10;
+    int         checkpoint_every = 10;
+    double      wall_time_limit  = 0.;
 
     /// Enters the subsection itself.
     void

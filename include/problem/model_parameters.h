@@ -26,6 +26,7 @@ namespace MixedCracks
     std::string coupling            = "iterated";
     double      coupling_tolerance  = 1e-3;
     double      over_relaxation     = 1.5;
+    double      acceleration        = 5.;
     int         max_iterations      = 2000;
 
     /// Enters the subsection itself.

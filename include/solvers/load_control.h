@@ -97,7 +97,8 @@ namespace MixedCracks
     double         time = 0.;
     double         time_step;
     double         peak     = 0.;
-    unsigned int   rejected = 0;
+    unsigned int   rejected          = 0;
+    unsigned int   rejected_in_a_row = 0;
   };
 } // namespace MixedCracks
 

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
+#include <core/case_signature.h>
 #include <core/simulation.h>
 
 #include <iostream>
@@ -10,10 +11,12 @@ namespace MixedCracks
   template <int dim>
   Simulation<dim>::Simulation(const Parameters<dim> &parameters,
                               const std::string     &effective_parameters,
+                              const std::string     &signature,
                               const MPI_Comm         communicator,
                               Log                   &log)
     : parameters(parameters)
     , effective_parameters(effective_parameters)
+    , signature(signature)
     , communicator(communicator)
     , log(log)
     , timer(communicator, std::cout, TimerOutput::never, TimerOutput::wall_times)
@@ -31,6 +34,7 @@ namespace MixedCracks
                             parameters.force_boundary()))
     , statistics(communicator)
     , field_output(fields, parameters.output.directory)
+    , checkpoint(parameters.output.directory, communicator)
   {}
 
 
@@ -39,15 +43,23 @@ namespace MixedCracks
   RunOutcome
   Simulation<dim>::run(const ExistingRun existing)
   {
+    if (existing == ExistingRun::resume)
+      {
+        resumed = checkpoint.read();
+        require_same_case(resumed->signature, signature);
+      }
     prepare_output(existing);
     preflight();
     set_up_mesh_dependent();
 
-    State accepted = initial_state();
+    State accepted = resumed ? resumed_state() : initial_state();
     while (!load_control.at_end() && !separated)
-      if (!advance(accepted))
-        return finish(accepted, true);
-    return finish(accepted, false);
+      {
+        const Progress progress = advance(accepted);
+        if (progress != Progress::accepted)
+          return finish(accepted, progress);
+      }
+    return finish(accepted, Progress::accepted);
   }
 
 
@@ -57,9 +69,18 @@ namespace MixedCracks
   Simulation<dim>::make_mesh_and_material()
   {
     TimerOutput::Scope scope(timer, "setup");
-    make_mesh(parameters, triangulation);
-    cell_size = smallest_cell_size(triangulation, communicator);
-    material  = std::make_unique<Material<dim>>(describe_material(
+    if (resumed)
+      {
+        parameters.geometry.chosen().create(triangulation);
+        checkpoint.load_mesh(triangulation);
+        cell_size = resumed->cell_size;
+      }
+    else
+      {
+        make_mesh(parameters, triangulation);
+        cell_size = finest_cell_size(triangulation, communicator);
+      }
+    material = std::make_unique<Material<dim>>(describe_material(
       parameters.model, parameters.material, dim, cell_size));
     fields.distribute();
   }
@@ -86,6 +107,7 @@ namespace MixedCracks
                                         *phase_field_step,
                                         coupling_options(parameters.model),
                                         parameters.solver.newton,
+                                        [this]() { return stop_now(); },
                                         communicator,
                                         log);
     const LinearOutcome analysis = elastic_step->reinit();
@@ -146,11 +168,13 @@ namespace MixedCracks
 
 
   template <int dim>
-  bool
+  typename Simulation<dim>::Progress
   Simulation<dim>::advance(State &accepted)
   {
     while (true)
       {
+        if (stop_now())
+          return Progress::interrupted;
         State trial     = accepted;
         trial.time      = load_control.target_time();
         trial.time_step = load_control.step();
@@ -161,24 +185,24 @@ namespace MixedCracks
                          trial.time_step));
         const StepOutcome outcome =
           solve_step(accepted, trial, load_control.phase_field_bound());
-        switch (
-          load_control.judge(outcome.solved, outcome.phase_field_change))
+        if (outcome.interrupted)
+          return Progress::interrupted;
+        switch (load_control.judge(outcome.solved, outcome.phase_field_change))
           {
             case LoadControl::Verdict::accept:
               trial.previous_phase_field = accepted.phase_field;
               record(accepted, trial, outcome);
               accepted = trial;
-              return true;
+              return Progress::accepted;
             case LoadControl::Verdict::repeat:
-              log.line(
-                outcome.solved ?
-                  printed("  rejected: the phase field changed by %.3g",
-                          outcome.phase_field_change) :
-                  "  rejected: " + outcome.reason);
+              log.line(outcome.solved ?
+                         printed("  rejected: the phase field changed by %.3g",
+                                 outcome.phase_field_change) :
+                         "  rejected: " + outcome.reason);
               break;
             case LoadControl::Verdict::give_up:
               log.line("  failed at the smallest step: " + outcome.reason);
-              return false;
+              return Progress::failed;
           }
       }
   }

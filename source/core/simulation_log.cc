@@ -53,7 +53,7 @@ namespace MixedCracks
       static_cast<unsigned long long>(fields.n_dofs()),
       static_cast<unsigned long long>(fields.elastic.n_dofs()),
       static_cast<unsigned long long>(fields.phase_field.n_dofs())));
-    log.line(printed("smallest cell h = %.4g mm; length scale l = %.4g mm, "
+    log.line(printed("finest cells h = %.4g mm; length scale l = %.4g mm, "
                      "l/h = %.3g; kappa = %.3g",
                      cell_size,
                      constants.length_scale,

@@ -74,6 +74,9 @@ namespace MixedCracks
       }
     separated = load_control.is_separated(row.force_size());
     write_fields_when_due(state);
+    const unsigned int every = parameters.output.checkpoint_every;
+    if (every > 0 && row.step > 0 && row.step % every == 0)
+      write_checkpoint(state);
   }
 
 
@@ -120,7 +123,7 @@ namespace MixedCracks
 
   template <int dim>
   RunOutcome
-  Simulation<dim>::finish(const State &last, const bool given_up)
+  Simulation<dim>::finish(const State &last, const Progress progress)
   {
     const unsigned int last_step = statistics.rows().back().step;
     if (!field_output.has(peak_step))
@@ -128,7 +131,12 @@ namespace MixedCracks
     if (!field_output.has(last_step))
       write_fields(last, last_step);
     RunOutcome outcome;
-    if (given_up)
+    if (progress == Progress::interrupted)
+      {
+        write_checkpoint(last);
+        outcome = {5, "stopped on request; continue with --resume"};
+      }
+    else if (progress == Progress::failed)
       outcome = {3,
                  "the smallest load step failed; the last accepted state is "
                  "written"};
@@ -189,6 +197,6 @@ namespace MixedCracks
   template double Simulation<2>::smallest_phase_field(const State &) const;
   template void   Simulation<2>::write_fields_when_due(const State &);
   template void   Simulation<2>::write_fields(const State &, unsigned int);
-  template RunOutcome Simulation<2>::finish(const State &, bool);
+  template RunOutcome Simulation<2>::finish(const State &, Progress);
   template Summary    Simulation<2>::summarize(const RunOutcome &);
 } // namespace MixedCracks

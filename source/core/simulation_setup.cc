@@ -30,14 +30,20 @@ namespace MixedCracks
 
   template <int dim>
   double
-  smallest_cell_size(const Triangulation<dim> &triangulation,
-                     const MPI_Comm            communicator)
+  finest_cell_size(const Triangulation<dim> &triangulation,
+                   const MPI_Comm            communicator)
   {
-    double size = std::numeric_limits<double>::max();
+    const int finest = Utilities::MPI::max(
+      static_cast<int>(triangulation.n_levels()), communicator);
+    std::vector<double> sums(2, 0.);
     for (const auto &cell : triangulation.active_cell_iterators())
-      if (cell->is_locally_owned())
-        size = std::min(size, cell->diameter() / std::sqrt(1. * dim));
-    return Utilities::MPI::min(size, communicator);
+      if (cell->is_locally_owned() && cell->level() == finest - 1)
+        {
+          sums[0] += std::pow(cell->measure(), 1. / dim);
+          sums[1] += 1.;
+        }
+    Utilities::MPI::sum(sums, communicator, sums);
+    return sums[0] / sums[1];
   }
 
 
@@ -210,6 +216,7 @@ namespace MixedCracks
                      CouplingOptions::Kind::iterated;
     options.tolerance       = model.coupling_tolerance;
     options.over_relaxation = model.over_relaxation;
+    options.largest_acceleration = model.acceleration;
     options.max_iterations  = model.max_iterations;
     return options;
   }
@@ -218,7 +225,7 @@ namespace MixedCracks
 
 #define INSTANTIATE(dim)                                                       \
   template void make_mesh(const Parameters<dim> &, Triangulation<dim> &);      \
-  template double smallest_cell_size(const Triangulation<dim> &, MPI_Comm);    \
+  template double finest_cell_size(const Triangulation<dim> &, MPI_Comm);      \
   template std::vector<PrescribedComponent<dim>> prescribed_components(        \
     const Parameters<dim> &, unsigned int);                                    \
   template Loads<dim>            make_loads(const Parameters<dim> &,           \

@@ -60,12 +60,14 @@ namespace MixedCracks
                               PhaseFieldStep<dim>   &phase_field,
                               const CouplingOptions &options,
                               const NewtonOptions   &newton_options,
+                              std::function<bool()>  stop_requested,
                               const MPI_Comm         communicator,
                               Log                   &log)
     : elastic(elastic)
     , phase_field(phase_field)
     , options(options)
     , newton_options(newton_options)
+    , stop_requested(std::move(stop_requested))
     , communicator(communicator)
     , log(log)
   {}
@@ -89,14 +91,43 @@ namespace MixedCracks
 
 
   template <int dim>
-  void
-  StepSolver<dim>::advance_lagged_field(const State &accepted,
-                                        State       &trial) const
+  double
+  StepSolver<dim>::acceleration(const Vector &difference) const
   {
+    if (last_factor == 0. ||
+        options.largest_acceleration <= options.over_relaxation)
+      return options.over_relaxation;
+    // Aitken: the factor that would have been right for the last advance. A
+    // slow convergence asks for a large one, a running crack, whose changes
+    // lie elsewhere each time, for a small one.
+    Vector change(last_difference);
+    change.add(-1., difference);
+    const double size = change * change;
+    if (size == 0.)
+      return options.over_relaxation;
+    const double factor = last_factor * (last_difference * change) / size;
+    return std::clamp(factor,
+                      options.over_relaxation,
+                      options.largest_acceleration);
+  }
+
+
+
+  template <int dim>
+  void
+  StepSolver<dim>::advance_lagged_field(const State &accepted, State &trial)
+  {
+    Vector difference(trial.phase_field.locally_owned_elements(), communicator);
+    Vector lagged(difference);
+    difference = trial.phase_field;
+    lagged     = trial.lagged_phase_field;
+    difference.add(-1., lagged);
+    last_factor     = acceleration(difference);
+    last_difference = difference;
     const Vector before(trial.lagged_phase_field);
     move_within_bounds(before,
                        trial.phase_field,
-                       options.over_relaxation,
+                       last_factor,
                        accepted.phase_field,
                        trial.lagged_phase_field);
   }
@@ -110,7 +141,7 @@ namespace MixedCracks
                                  const ActiveSetOutcome &active_set,
                                  const double            change)
   {
-    log.line(printed("  %5u %9.1e %9.1e %9.1e %8u %8u %8u %7u %7u %10.2e",
+    log.line(printed("  %5u %9.1e %9.1e %9.1e %8u %8u %8u %7u %7u %10.2e %6.2f",
                      iteration,
                      newton.first.displacement,
                      newton.last.displacement,
@@ -120,7 +151,8 @@ namespace MixedCracks
                      active_set.descents,
                      newton.iterations,
                      newton.linear_iterations + active_set.linear_iterations,
-                     change));
+                     change,
+                     last_factor));
   }
 
 
@@ -173,9 +205,10 @@ namespace MixedCracks
     const bool iterated = options.kind == CouplingOptions::Kind::iterated;
     start_lagged_field(accepted, trial);
     trial.phase_field = accepted.phase_field;
+    last_factor       = 0.;
     elastic.predict(accepted, trial);
     log.line("  coupl  |r_u| in       out   out |r_p| active"
-             "  changes descents newton  linear  |phi-phi~|");
+             "  changes descents newton  linear  |phi-phi~| factor");
 
     StepOutcome outcome;
     while (true)
@@ -209,6 +242,11 @@ namespace MixedCracks
             outcome.reason = "the iterated coupling did not settle within " +
                              std::to_string(options.max_iterations) +
                              " iterations";
+            return outcome;
+          }
+        if (stop_requested())
+          {
+            outcome.interrupted = true;
             return outcome;
           }
         // a settled phase field stays, for displacements that are not

@@ -120,6 +120,10 @@ namespace MixedCracks
     const std::vector<std::pair<double, std::string>> &earlier)
   {
     times_and_names = earlier;
+    // "fields/fields_00012.pvtu": the step is in the name
+    for (const auto &record : earlier)
+      steps.insert(Utilities::string_to_int(
+        record.second.substr(record.second.size() - 10, 5)));
   }
 
 

@@ -26,6 +26,17 @@ namespace MixedCracks
                       "force, at separation and at the end; 0: only then. "
                       "Unit: 1.",
                       Patterns::Integer(0));
+    prm.add_parameter("Checkpoint every",
+                      checkpoint_every,
+                      "A checkpoint to continue from with --resume is written "
+                      "every so many accepted steps, and when the run is "
+                      "stopped on request; 0: only then. Unit: 1.",
+                      Patterns::Integer(0));
+    prm.add_parameter("Wall time limit",
+                      wall_time_limit,
+                      "After this time the run stops with a checkpoint and "
+                      "exit status 5; 0: no limit. Unit: s.",
+                      Patterns::Double(0.));
     prm.leave_subsection();
   }
 

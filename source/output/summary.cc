@@ -128,7 +128,7 @@ namespace MixedCracks
     json.add("coupling", summary.coupling);
     json.add("linear_solver", summary.linear_solver);
     json.add("ranks", summary.ranks);
-    json.add("smallest_cell_mm", summary.cell_size);
+    json.add("finest_cell_mm", summary.cell_size);
     json.add("length_scale_mm", summary.length_scale);
     json.add("residual_stiffness", summary.residual_stiffness);
     json.add("thickness_mm", summary.thickness);

@@ -49,8 +49,8 @@ namespace MixedCracks
         "Length scale",
         model.length_scale,
         "The length l of the crack density (epsilon in the paper): a number or "
-        "an expression in the smallest cell size h of the first mesh, as "
-        "'2*h'. Unit: mm.",
+        "an expression in h, the mean size of the finest cells of the first "
+        "mesh, as '2*h'. Unit: mm.",
         Patterns::Anything());
       prm.add_parameter(
         "Residual stiffness",
@@ -111,6 +111,13 @@ namespace MixedCracks
         "The iterated coupling moves phi~ by this factor times (phi - phi~), "
         "within the bounds; 1: off. Unit: 1.",
         Patterns::Double(tiny, 2.));
+      prm.add_parameter(
+        "Largest acceleration",
+        model.acceleration,
+        "The iterated coupling replaces the over-relaxation by Aitken's factor "
+        "where that is larger, up to this: slow convergence near the onset of "
+        "a crack is sped up; 1: off. Unit: 1.",
+        Patterns::Double(1., 20.));
       prm.add_parameter("Largest number of coupling iterations",
                         model.max_iterations,
                         "A step of the iterated coupling that needs more has "

@@ -64,8 +64,8 @@ namespace MixedCracks
     Teuchos::ParameterList parameters;
     // room for pivoting beyond the estimate of the analysis, in percent
     parameters.sublist("mumps").set("ICNTL(14)", 60);
-    if (getenv("MC_ORD")) parameters.sublist("mumps").set("ICNTL(7)", atoi(getenv("MC_ORD")));
-    if (getenv("MC_BLR")) {parameters.sublist("mumps").set("ICNTL(35)", 2);parameters.sublist("mumps").set("CNTL(7)", 1e-10);}
+    // METIS: the least work for these meshes (doc/performance.md)
+    parameters.sublist("mumps").set("ICNTL(7)", 5);
     solver->SetParameters(parameters);
     return outcome(solver->SymbolicFactorization(), "analysis", name);
   }

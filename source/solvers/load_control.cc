@@ -138,6 +138,7 @@ namespace MixedCracks
     if (converged && phase_field_change <= bound)
       {
         time += time_step;
+        rejected_in_a_row = 0;
         // a step that used little of the bound was easy
         if (parameters.largest_phase_field_change == 0. ||
             phase_field_change <
@@ -147,8 +148,10 @@ namespace MixedCracks
         return Verdict::accept;
       }
     ++rejected;
+    // twice in a row too far: it is the onset, do not halve all the way
+    const double factor = rejected_in_a_row++ == 0 ? 0.5 : 0.;
     if (converged)
-      time_step = std::max(0.5 * time_step, parameters.onset_step);
+      time_step = std::max(factor * time_step, parameters.onset_step);
     else if (time_step <= parameters.smallest_step * (1. + rounding))
       return Verdict::give_up;
     else

@@ -12,6 +12,7 @@
 
 #include <output/quantities.h>
 
+#include <cmath>
 #include <iostream>
 #include <limits>
 #include <sstream>
@@ -62,7 +63,8 @@ namespace MixedCracks
               TimerOutput::wall_times)
     {
       make_mesh_of(shape);
-      cell_size = smallest_cell_size(triangulation, MPI_COMM_WORLD);
+      cell_size =
+        GridTools::minimal_cell_diameter(triangulation) / std::sqrt(2.);
       material  = std::make_unique<Material<2>>(
         describe_material(parameters.model, parameters.material, 2, cell_size));
       fields.distribute();
@@ -127,7 +129,7 @@ namespace MixedCracks
       constraints.apply_prescribed(time, start);
       state.elastic = start;
       NewtonOptions options;
-      options.tolerance           = 1e-10;
+      options.tolerance           = 1e-9;
       const NewtonOutcome outcome = elastic_step->solve(state, options);
       EXPECT_TRUE(outcome.converged) << outcome.reason;
       return outcome;

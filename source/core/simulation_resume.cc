@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include <core/simulation.h>
+#include <core/stop_request.h>
+
+namespace MixedCracks
+{
+  using namespace dealii;
+
+  template <int dim>
+  bool
+  Simulation<dim>::stop_now() const
+  {
+    const double limit = parameters.output.wall_time_limit;
+    // every rank has to come to the same answer
+    const bool out_of_time =
+      limit > 0. &&
+      Utilities::MPI::max(wall_clock.wall_time(), communicator) > limit;
+    return stop_requested(communicator) || out_of_time;
+  }
+
+
+
+  template <int dim>
+  void
+  Simulation<dim>::write_checkpoint(const State &state)
+  {
+    TimerOutput::Scope scope(timer, "output");
+    RunRecord          record;
+    record.signature     = signature;
+    record.cell_size     = cell_size;
+    record.time          = state.time;
+    record.time_step     = state.time_step;
+    record.next_step     = load_control.step();
+    record.peak_force    = load_control.peak_force();
+    record.external_work = external_work;
+    record.peak_step     = peak_step;
+    record.rows          = statistics.rows();
+    // the state of the peak is not kept: what shall be seen of it is written
+    if (!field_output.has(peak_step))
+      write_fields(peak_state, peak_step);
+    record.field_files = field_output.records();
+    checkpoint.write(record, state, fields, triangulation);
+  }
+
+
+
+  template <int dim>
+  State
+  Simulation<dim>::resumed_state()
+  {
+    State state;
+    checkpoint.load_fields(fields, state);
+    state.time      = resumed->time;
+    state.time_step = resumed->time_step;
+    load_control.restore(resumed->time,
+                         resumed->next_step,
+                         resumed->peak_force);
+    external_work = resumed->external_work;
+    peak_step     = resumed->peak_step;
+    peak_state    = state;
+    statistics.restore(resumed->rows);
+    field_output.restore(resumed->field_files);
+    log.line("resumed at step " +
+             std::to_string(statistics.rows().back().step));
+    return state;
+  }
+
+
+
+  template bool  Simulation<2>::stop_now() const;
+  template void  Simulation<2>::write_checkpoint(const State &);
+  template State Simulation<2>::resumed_state();
+} // namespace MixedCracks
