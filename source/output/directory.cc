@@ -34,19 +34,6 @@ namespace MixedCracks
              fs::exists(directory / "parameters.prm", error);
     }
 
-    // Also refuses a run without a checkpoint: starting over would write over
-    // its results.
-    void
-    require_checkpoint(const fs::path &directory, const bool found)
-    {
-      const fs::path folder = directory / "checkpoint";
-      if (!found || !fs::is_directory(folder) || fs::is_empty(folder))
-        throw FileError("--resume: Output/Directory '" + directory.string() +
-                        "' holds " +
-                        (found ? "a run without a" : "no run, no") +
-                        " checkpoint to continue from.");
-    }
-
     // more than a header
     bool
     has_results(const fs::path &directory)
@@ -82,8 +69,6 @@ namespace MixedCracks
           "Output/Directory: '" + directory.string() +
           "' already holds a run. Allowed: another directory (--output DIR), "
           "--overwrite to replace it, --resume to continue it.");
-      if (existing == ExistingRun::resume)
-        require_checkpoint(directory, found);
       fs::create_directories(directory);
       require_writable(directory);
       if (found && existing == ExistingRun::overwrite)

@@ -12,6 +12,8 @@ Each case is a dictionary:
   status     expected exit status (default 2)
   says       regular expressions that the message must contain, all of them
   leaves     names that may be left behind (default: nothing may be)
+  at_once    whether all such cases may be tried in one run: their mistakes
+             are reported together, one line each
 """
 
 BASE = """\
@@ -54,6 +56,11 @@ def entry(name, value, *says, **more):
     """A bad value of one entry; the message names it."""
     return dict(more, name="%s = %s" % (name, value),
                 set=["%s=%s" % (name, value)], says=(name,) + says)
+
+
+def value(name, text, *says):
+    """The same for a mistake that is found when the file is read."""
+    return entry(name, text, *says, at_once=True)
 
 
 def several(name, pairs, *says, **more):
@@ -154,21 +161,21 @@ PARAMETER_FILE = [
 ]
 
 VALUES = [
-    entry("Material/Thickness", "thick", "found 'thick'", "a number"),
-    entry("Material/Thickness", "nan", "found 'nan'", "a number"),
-    entry("Material/Thickness", "inf", "found 'inf'", "a number"),
-    entry("Material/Thickness", "-2", "found '-2'"),
-    entry("Material/Thickness", "0", "found '0'"),
-    entry("Material/Thickness", "", "no value", "a number"),
-    entry("Material/Critical energy release rate", "0", "found '0'"),
-    entry("Mesh/Global refinements", "1.5", "found '1.5'", "a whole number between 0 and"),
-    entry("Mesh/Global refinements", "-1", "found '-1'", "a whole number between 0 and"),
-    entry("Mesh/Global refinements", "40", "found '40'", "a whole number between 0 and"),
-    entry("Model/Crack density", "AT3", "'AT3'", "AT1", "AT2", "Wu"),
-    entry("Model/Formulation", "mixd", "'mixd'", "did you mean 'mixed'"),
-    entry("Linear solver/Name", "guess", "'guess'", "direct"),
+    value("Material/Thickness", "thick", "found 'thick'", "a number"),
+    value("Material/Thickness", "nan", "found 'nan'", "a number"),
+    value("Material/Thickness", "inf", "found 'inf'", "a number"),
+    value("Material/Thickness", "-2", "found '-2'"),
+    value("Material/Thickness", "0", "found '0'"),
+    value("Material/Thickness", "", "no value", "a number"),
+    value("Material/Critical energy release rate", "0", "found '0'"),
+    value("Mesh/Global refinements", "1.5", "found '1.5'", "a whole number between 0 and"),
+    value("Mesh/Global refinements", "-1", "found '-1'", "a whole number between 0 and"),
+    value("Mesh/Global refinements", "40", "found '40'", "a whole number between 0 and"),
+    value("Model/Crack density", "AT3", "'AT3'", "AT1", "AT2", "Wu"),
+    value("Model/Formulation", "mixd", "'mixd'", "did you mean 'mixed'"),
+    value("Linear solver/Name", "guess", "'guess'", "direct"),
     entry("Output/Directory", "", "found nothing", "allowed"),
-    entry("Output/Fields every", "-3", "found '-3'", "a whole number, at least 0"),
+    value("Output/Fields every", "-3", "found '-3'", "a whole number, at least 0"),
 ]
 
 MATERIAL = [
@@ -194,9 +201,9 @@ MATERIAL = [
 ]
 
 GEOMETRY = [
-    entry("Geometry/Name", "sphere", "'sphere'", "rectangle", "slit square"),
+    value("Geometry/Name", "sphere", "'sphere'", "rectangle", "slit square"),
     entry(STRIP + "Height", "0", "Height is 0", "greater than 0"),
-    entry(STRIP + "Width", "-20", "found '-20'", "at least 0"),
+    value(STRIP + "Width", "-20", "found '-20'", "at least 0"),
     entry(STRIP + "Cell size", "0", "Cell size is 0", "greater than 0"),
     entry(STRIP + "Cell size", "300", "300", "shortest side of 20"),
     entry(STRIP + "Cell size", "1e-6", "coarse cells", "at most"),
@@ -210,7 +217,7 @@ GEOMETRY = [
     entry(STRIP + "Notch length", "20", "20", "less than the width of 20"),
     entry(STRIP + "Notch height", "28", "28", "between 0 and the height of 28"),
     entry(STRIP + "Hole center", "40, 18", r"\(40, 18\)", "inside the strip of 20 x 28"),
-    entry(STRIP + "Hole center", "12", "found '12'", "2 values"),
+    value(STRIP + "Hole center", "12", "found '12'", "2 values"),
     several("hole wider than the strip", [(STRIP + "Hole radius", "12")],
             STRIP + "Hole center", "radius 12", "inside the strip of 20 x 28"),
     several("rectangle inside out", [
@@ -262,9 +269,9 @@ MODEL = [
     entry("Load stepping/First step", "2", "2 s", "Load stepping/Largest step", "0.5 s"),
     entry("Load stepping/Onset step", "0.7", "0.7 s", "Load stepping/Largest step"),
     entry("Load stepping/Smallest step", "0.1", "0.1 s", "Load stepping/Onset step"),
-    entry("Load stepping/End time", "0", "found '0'"),
+    value("Load stepping/End time", "0", "found '0'"),
     entry("Load stepping/Stop when force falls below", "1", "1", "below 1"),
-    entry("Load stepping/Largest phase-field change", "1.5", "1.5", "between 0 and 1"),
+    value("Load stepping/Largest phase-field change", "1.5", "1.5", "between 0 and 1"),
     entry("Load stepping/Force boundary", "right", "'right'", "top", "bottom",
           "prescribed"),
     entry("Load stepping/Force boundary", "tpo", "'tpo'", "did you mean 'top'"),
@@ -294,7 +301,7 @@ CONDITIONS = [
     entry("Boundary conditions/Traction", "right : x : log(y-3)", FINITE, "x = 20"),
     entry("Boundary conditions/Body force", "x : 1 : 2", "component : expression"),
     entry("Boundary conditions/Body force", "y : sqrt(26-y)", FINITE, "y = 2[67]"),
-    entry("Boundary conditions/Unbreakable margin", "-1", "found '-1'", "at least 0"),
+    value("Boundary conditions/Unbreakable margin", "-1", "found '-1'", "at least 0"),
 ]
 
 RUN = {"results/statistics.csv": b"step\n0\n", "results/log.txt": b"log\n",
@@ -314,10 +321,14 @@ OUTPUT = [
          status=4, says=("Output/Directory", "/proc/self", "written")),
     dict(name="existing results", files=RUN, status=4,
          says=("Output/Directory", "'results'", "already holds a run", "--overwrite")),
-    usage("--resume without a run", ["--resume", "case.prm"], "--resume", "'results'",
-          "no run", status=4),
-    usage("--resume without a checkpoint", ["--resume", "case.prm"], "--resume",
-          "'results'", "checkpoint", files=RUN, status=4),
+    usage("--resume without a run", ["--resume", "case.prm"], "--resume", "results",
+          "no whole checkpoint", status=4),
+    usage("--resume without a checkpoint", ["--resume", "case.prm"],
+          "--resume", "results", "no whole checkpoint", files=RUN, status=4),
+    usage("--resume with a broken checkpoint", ["--resume", "case.prm"],
+          "--resume", "results", "no whole checkpoint", status=4, files=dict(RUN, **{
+              "results/checkpoint/generation-0/seal.txt": b"3\nmesh 12\n",
+              "results/checkpoint/generation-1/seal.txt": b"\x00\xff"})),
     usage("--output below a file", ["--output", "case.prm/x", "case.prm"],
           "Output/Directory", "case.prm/x", status=4),
     usage("--overwrite with a bad mesh", [

@@ -10,6 +10,7 @@ what was found and what is allowed, without traces of the inside, and leave no
 files. The cases are in bad_inputs.py. Prints every offence; exit status 1 when
 there is one.
 """
+import concurrent.futures
 import os
 import re
 import signal
@@ -106,30 +107,66 @@ def left_behind(case, before, after):
     return [path for path in sorted(changed) if path.split(os.sep)[0] not in allowed]
 
 
-def offences(case, command, folder):
-    prepare(case, folder)
-    before = content(folder)
-    status, out, err = run(command + arguments(case), folder)
+def check_output(status, out, err, expected):
     if status is None:
         yield "still running after %d s" % TIME_LIMIT
-    elif status != case.get("status", 2):
-        yield "exit status %d, expected %d" % (status, case.get("status", 2))
+    elif status != expected:
+        yield "exit status %d, expected %d" % (status, expected)
     if err.count(MESSAGE) != 1:
         yield "%d messages on the error stream, expected 1" % err.count(MESSAGE)
     if MESSAGE in out:
         yield "the message is in the output"
-    message = message_of(err)
-    for pattern in case["says"]:
-        if not re.search(pattern, message):
-            yield "the message does not contain /%s/" % pattern
     for text in INSIDE.findall(out + err):
         yield "a user sees '%s'" % text
+
+
+def check_message(case, message):
+    for pattern in case["says"]:
+        if not re.search(pattern, message):
+            yield "the message of '%s' does not contain /%s/" % (case["name"], pattern)
+
+
+def offences(group, command, folder):
+    """Of one run with the mistakes of all cases of a group."""
+    case = group[0]
+    prepare(case, folder)
+    before = content(folder)
+    words = arguments(case) if len(group) == 1 else \
+        [word for each in group for word in ("--set", each["set"][0])] + ["case.prm"]
+    status, out, err = run(command + words, folder)
+    yield from check_output(status, out, err, case.get("status", 2))
+    message = message_of(err)
+    if len(group) == 1:
+        yield from check_message(case, message)
+    else:
+        for each in group:
+            lines = [line for line in message.splitlines()
+                     if "--set '%s'" % each["set"][0] in line]
+            yield from check_message(each, "\n".join(lines))
     for path in left_behind(case, before, content(folder)):
         yield "changed or left behind: " + path
-    if message:
-        yield "| " + message.strip().replace("\n", "\n      | ")
-    elif err:
-        yield "| " + err.strip().replace("\n", "\n      | ")[:2000]
+    yield "| " + (message or err[:2000]).strip().replace("\n", "\n      | ")
+
+
+def groups(cases):
+    """Lists of cases to be tried in one run: mostly one each, and up to ten
+    values that are refused when the file is read."""
+    largest = 10  # the program shows no more mistakes at once
+    result, open_groups = [], []
+    for case in cases:
+        if not case.get("at_once"):
+            result.append([case])
+            continue
+        name = case["set"][0].split("=")[0]
+        for group in open_groups:
+            taken = [each["set"][0].split("=")[0] for each in group]
+            if name not in taken and len(group) < largest:
+                group.append(case)
+                break
+        else:
+            open_groups.append([case])
+            result.append(open_groups[-1])
+    return result
 
 
 def main():
@@ -143,17 +180,23 @@ def main():
         sys.exit("two cases of one name: %s" % ", ".join(sorted(twice)))
     n_failed, start = 0, time.time()
     cases = [case for case in CASES if wanted in case["name"]]
-    for case in cases:
+
+    def examine(group):
         with tempfile.TemporaryDirectory() as folder:
-            found = list(offences(case, command, folder))
-        failed = any(not text.startswith("|") for text in found)
+            return group, list(offences(group, command, folder))
+
+    # two at a time: most of a run is the loading of libraries
+    pool = concurrent.futures.ThreadPoolExecutor(max_workers=2)
+    for group, found in pool.map(examine, groups(cases)):
+        failed = len(found) > 1
         n_failed += failed
         if failed or wanted:
-            print("%s: %s" % ("FAILED" if failed else "passed", case["name"]))
+            print("%s: %s" % ("FAILED" if failed else "passed",
+                              "; ".join(case["name"] for case in group)))
             for text in found:
                 print("      " + text)
             sys.stdout.flush()
-    print("%d bad inputs, %d failed, %.0f s"
+    print("%d bad inputs, %d runs failed, %.0f s"
           % (len(cases), n_failed, time.time() - start))
     return 1 if n_failed or not cases else 0
 

@@ -1,0 +1,60 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""Every .prm in the tree passes --check.
+
+    check_all.py EXECUTABLE MPIRUN [directory of the project]
+
+Each must leave with exit status 0, say something, complain about nothing on the
+error stream, and leave no files.
+"""
+import os
+import subprocess
+import sys
+import tempfile
+
+
+def parameter_files(root):
+    for top in ("parameters", "tests"):
+        for folder, _, names in sorted(os.walk(os.path.join(root, top))):
+            for name in sorted(names):
+                if name.endswith(".prm"):
+                    yield os.path.join(folder, name)
+
+
+def offences(command, path):
+    with tempfile.TemporaryDirectory() as folder:
+        process = subprocess.run(command + ["--check", path], cwd=folder,
+                                 stdin=subprocess.DEVNULL, stdout=subprocess.PIPE,
+                                 stderr=subprocess.PIPE, universal_newlines=True,
+                                 timeout=120)
+        left = os.listdir(folder)
+    if process.returncode != 0:
+        yield "exit status %d" % process.returncode
+    if process.stderr:
+        yield process.stderr.strip()
+    if "case: " not in process.stdout or "cells: " not in process.stdout:
+        yield "no preflight is printed: %r" % process.stdout[:200]
+    for name in left:
+        yield "left behind: " + name
+
+
+def main():
+    if len(sys.argv) < 3:
+        sys.exit(__doc__)
+    here = os.path.dirname(os.path.abspath(__file__))
+    root = os.path.abspath(sys.argv[3] if len(sys.argv) > 3
+                           else os.path.join(here, os.pardir, os.pardir))
+    command = [sys.argv[2], "-n", "1", os.path.abspath(sys.argv[1])]
+    n_files, n_failed = 0, 0
+    for path in parameter_files(root):
+        found = list(offences(command, path))
+        n_files += 1
+        n_failed += bool(found)
+        for text in found:
+            print("%s: %s" % (os.path.relpath(path, root), text))
+    print("%d parameter files, %d failed" % (n_files, n_failed))
+    return 1 if n_failed or n_files == 0 else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

@@ -1,0 +1,113 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""What the program says when asked, and whether it understands it again.
+
+    check_questions.py EXECUTABLE MPIRUN
+
+--help, --version and --parameters in all formats; --parameters prm is a
+parameter file; a run's parameters.prm gives the same run; --set and --output do
+what they say; --overwrite replaces a run.
+"""
+import csv
+import json
+import os
+import subprocess
+import sys
+import tempfile
+import unittest
+
+sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)),
+                                os.pardir, "bad_input"))
+from bad_inputs import BASE  # the good file that bad ones are made of
+
+COMMAND = []
+
+
+class Questions(unittest.TestCase):
+    def setUp(self):
+        self.directory = tempfile.TemporaryDirectory()
+        self.folder = self.directory.name
+        with open(os.path.join(self.folder, "case.prm"), "w") as stream:
+            stream.write(BASE)
+
+    def tearDown(self):
+        self.directory.cleanup()
+
+    def ask(self, *arguments, ranks=1):
+        """Output of a call that must succeed."""
+        process = subprocess.run(
+            [COMMAND[1], "-n", str(ranks), COMMAND[0]] + list(arguments),
+            cwd=self.folder, stdin=subprocess.DEVNULL, stdout=subprocess.PIPE,
+            stderr=subprocess.PIPE, universal_newlines=True, timeout=60)
+        self.assertEqual(process.stderr, "")
+        self.assertEqual(process.returncode, 0)
+        return process.stdout
+
+    def rows(self, *path):
+        """statistics.csv without times."""
+        with open(os.path.join(self.folder, *path), newline="") as stream:
+            return [{name: value for name, value in row.items()
+                     if name != "wall_time_s"} for row in csv.DictReader(stream)]
+
+    def test_help_once_on_two_ranks(self):
+        text = self.ask("--help", ranks=2)
+        self.assertEqual(text.count("Usage: "), 1)
+        for option in ("--set", "--output", "--check", "--resume", "--overwrite",
+                       "--parameters", "--version", "--help", "Exit status"):
+            self.assertIn(option, text)
+
+    def test_version(self):
+        text = self.ask("--version")
+        for name in ("mixed-cracks ", "deal.II ", "Trilinos ", "p4est ", "MPI"):
+            self.assertIn(name, text)
+
+    def test_parameters_json(self):
+        entries = json.loads(self.ask("--parameters", "json"))
+        self.assertGreater(len(entries), 50)
+        for entry in entries:
+            self.assertTrue(entry["documentation"], entry["full_name"])
+            self.assertTrue(entry["allowed"], entry["full_name"])
+
+    def test_parameters_markdown(self):
+        text = self.ask("--parameters=markdown")
+        self.assertIn("Length scale", text)
+        self.assertIn("#", text)
+
+    def test_printed_parameters_are_read_again(self):
+        with open(os.path.join(self.folder, "printed.prm"), "w") as stream:
+            stream.write(self.ask("--parameters"))
+        settings = ["--set", "Material/Lame lambda=10", "--set",
+                    "Material/Shear modulus=2.4", "--set",
+                    "Boundary conditions/Displacement=top : all : 0"]
+        self.assertIn("cells: ", self.ask("--check", *settings, "printed.prm"))
+
+    def test_check_leaves_nothing(self):
+        self.ask("--check", "case.prm", ranks=2)
+        self.assertEqual(os.listdir(self.folder), ["case.prm"])
+
+    def test_effective_parameters_give_the_same_run(self):
+        self.ask("--set", "Material/Thickness=3", "--output", "first", "case.prm")
+        self.ask("--output", "second", os.path.join("first", "parameters.prm"))
+        first = self.rows("first", "statistics.csv")
+        self.assertEqual(len(first), 3)
+        self.assertNotEqual(float(first[-1]["force_y_N"]), 0.)
+        self.assertEqual(first, self.rows("second", "statistics.csv"))
+        texts = []
+        for name in ("first", "second"):
+            with open(os.path.join(self.folder, name, "parameters.prm")) as stream:
+                texts.append(stream.read().replace("= " + name, "= here"))
+        self.assertEqual(*texts)
+        self.assertIn("set Thickness", texts[0])
+
+    def test_overwrite(self):
+        self.ask("case.prm")
+        once = self.rows("results", "statistics.csv")
+        self.ask("--overwrite", "--set", "Load stepping/End time=0.5", "case.prm")
+        self.assertEqual(self.rows("results", "statistics.csv"), once[:2])
+
+
+if __name__ == "__main__":
+    if len(sys.argv) != 3:
+        sys.exit(__doc__)
+    COMMAND = [os.path.abspath(sys.argv[1]), sys.argv[2]]
+    unittest.main(argv=sys.argv[:1])
