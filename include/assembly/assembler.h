@@ -53,27 +53,23 @@ namespace MixedCracks
     Assembler(const Fields<dim> &fields, const Material<dim> &material);
 
     /// To be called when the mesh changed: no matrix is known any more.
-    void
-    reinit();
+    void reinit();
 
     /// First two lines of (M5).
-    ElasticAssessment
-    elastic_residual(const Vector      &elastic,
-                     const Vector      &lagged_phase_field,
-                     const Constraints &constraints,
-                     Vector            &residual);
+    ElasticAssessment elastic_residual(const Vector      &elastic,
+                                       const Vector      &lagged_phase_field,
+                                       const Constraints &constraints,
+                                       Vector            &residual);
 
     /// Their Jacobian; remembers the state it is built for.
-    void
-    elastic_matrix(const Vector                &elastic,
-                   const Vector                &lagged_phase_field,
-                   const Constraints           &constraints,
-                   LinearAlgebra::SparseMatrix &matrix);
+    void elastic_matrix(const Vector                &elastic,
+                        const Vector                &lagged_phase_field,
+                        const Constraints           &constraints,
+                        LinearAlgebra::SparseMatrix &matrix);
 
     /// Nodal forces of a body force (N/mm^3) and of tractions (MPa) by
     /// boundary id, per mm thickness, added to @p forces.
-    void
-    external_forces(
+    void external_forces(
       const dealii::Function<dim> *body_force,
       const std::map<dealii::types::boundary_id, const dealii::Function<dim> *>
                         &tractions,
@@ -81,44 +77,38 @@ namespace MixedCracks
       Vector            &forces) const;
 
     /// Third line of (M5) and, unless @p matrix is null, its Jacobian.
-    void
-    phase_field_system(const Vector                &elastic,
-                       const Vector                &lagged_phase_field,
-                       const Vector                &phase_field,
-                       const Constraints           &constraints,
-                       Vector                      &residual,
-                       LinearAlgebra::SparseMatrix *matrix);
+    void phase_field_system(const Vector                &elastic,
+                            const Vector                &lagged_phase_field,
+                            const Vector                &phase_field,
+                            const Constraints           &constraints,
+                            Vector                      &residual,
+                            LinearAlgebra::SparseMatrix *matrix);
 
-    void
-    lumped_mass(const Constraints &constraints, Vector &mass);
+    void lumped_mass(const Constraints &constraints, Vector &mass);
 
-    Energies
-    energies(const Vector &elastic,
-             const Vector &lagged_phase_field,
-             const Vector &phase_field);
+    Energies energies(const Vector &elastic,
+                      const Vector &lagged_phase_field,
+                      const Vector &phase_field);
 
-    CellData<dim>
-    cell_data(const Vector &elastic, const Vector &lagged_phase_field);
+    CellData<dim> cell_data(const Vector &elastic,
+                            const Vector &lagged_phase_field);
 
   private:
     using Cell = typename dealii::DoFHandler<dim>::active_cell_iterator;
 
     template <typename Body>
-    void
-    for_each_cell(const Body &body) const;
+    void for_each_cell(const Body &body) const;
 
-    void
-    load_elastic(const Cell   &elastic_cell,
-                 const Cell   &phase_field_cell,
-                 const Vector &elastic,
-                 const Vector &lagged_phase_field);
+    void load_elastic(const Cell   &elastic_cell,
+                      const Cell   &phase_field_cell,
+                      const Vector &elastic,
+                      const Vector &lagged_phase_field);
 
     /// Distance of the loaded state to that of the last matrix, or, with
     /// @p remember, make it that.
-    void
-    compare_tangent(unsigned int       cell,
-                    bool               remember,
-                    ElasticAssessment &assessment);
+    void compare_tangent(unsigned int       cell,
+                         bool               remember,
+                         ElasticAssessment &assessment);
 
     const Fields<dim>    &fields;
     ElasticKernel<dim>    elastic_kernel;

@@ -26,35 +26,28 @@ namespace MixedCracks
                   const Material<dim>              &material,
                   bool                              mixed);
 
-    void
-    reinit(
-      const typename dealii::Triangulation<dim>::cell_iterator &cell);
+    void reinit(const typename dealii::Triangulation<dim>::cell_iterator &cell);
 
     /// Evaluate strain, pressure and response at the quadrature points.
     /// @p local: values of the dofs of this cell; @p lagged_phase_field: one
     /// value per quadrature point.
-    void
-    set_state(const dealii::Vector<double> &local,
-              const std::vector<double>    &lagged_phase_field);
+    void set_state(const dealii::Vector<double> &local,
+                   const std::vector<double>    &lagged_phase_field);
 
     /// As often as wanted after set_state(). Units: N/mm for the rows of the
     /// displacement, mm^2 for those of the pressure (in 2-d).
-    void
-    residual(dealii::Vector<double> &result) const;
+    void residual(dealii::Vector<double> &result) const;
 
     /// Derivative of residual() by the local values.
-    void
-    jacobian(dealii::FullMatrix<double> &result) const;
+    void jacobian(dealii::FullMatrix<double> &result) const;
 
     /// Degraded elastic energy of the cell, N (mJ per mm thickness).
-    double
-    energy() const;
+    double energy() const;
 
     /// Sizes of the terms that cancel in the residual, squared and summed
     /// over the dofs of the displacement and of the pressure: what a small
     /// residual has to be compared with.
-    std::pair<double, double>
-    squared_scale() const;
+    std::pair<double, double> squared_scale() const;
 
     /// What the Jacobian depends on at quadrature point @p q: degradation and
     /// branch of the split; see Material::branch().
@@ -71,17 +64,15 @@ namespace MixedCracks
     }
 
     /// sigma+ : eps at quadrature point @p q, (M5) third line; MPa.
-    double
-    driving_force(unsigned int q) const;
+    double driving_force(unsigned int q) const;
 
     /// Averages over the cell for the output, undegraded strain included.
     struct CellAverages
     {
-      dealii::SymmetricTensor<2, dim> stress; ///< MPa, degraded
+      dealii::SymmetricTensor<2, dim> stress;         ///< MPa, degraded
       double                          energy_density; ///< MPa, degraded
     };
-    CellAverages
-    averages() const;
+    CellAverages averages() const;
 
     unsigned int
     n_quadrature_points() const
@@ -99,14 +90,14 @@ namespace MixedCracks
       ElasticResponse<dim>            response;
     };
 
-    dealii::SymmetricTensor<2, dim>
-    strain_of(unsigned int dof, unsigned int q) const;
+    dealii::SymmetricTensor<2, dim> strain_of(unsigned int dof,
+                                              unsigned int q) const;
 
-    void
-    displacement_block(unsigned int q, dealii::FullMatrix<double> &result) const;
+    void displacement_block(unsigned int                q,
+                            dealii::FullMatrix<double> &result) const;
 
-    void
-    pressure_blocks(unsigned int q, dealii::FullMatrix<double> &result) const;
+    void pressure_blocks(unsigned int                q,
+                         dealii::FullMatrix<double> &result) const;
 
     const Material<dim>      &material;
     const bool                mixed;

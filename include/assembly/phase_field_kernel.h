@@ -25,35 +25,27 @@ namespace MixedCracks
                      const dealii::Quadrature<dim>    &quadrature,
                      const Material<dim>              &material);
 
-    void
-    reinit(
-      const typename dealii::Triangulation<dim>::cell_iterator &cell);
+    void reinit(const typename dealii::Triangulation<dim>::cell_iterator &cell);
 
     /// Phase field at the quadrature points from the dofs of this cell.
-    void
-    interpolate(const dealii::Vector<double> &local,
-                std::vector<double>          &values) const;
+    void interpolate(const dealii::Vector<double> &local,
+                     std::vector<double>          &values) const;
 
     /// @p driving_force: sigma+ : eps at each quadrature point, MPa.
-    void
-    set_state(const dealii::Vector<double> &local,
-              const std::vector<double>    &driving_force);
+    void set_state(const dealii::Vector<double> &local,
+                   const std::vector<double>    &driving_force);
 
     /// N per node (energy density times area over phi), (M5) third line.
-    void
-    residual(dealii::Vector<double> &result) const;
+    void residual(dealii::Vector<double> &result) const;
 
     /// Derivative of residual() by the local values.
-    void
-    jacobian(dealii::FullMatrix<double> &result) const;
+    void jacobian(dealii::FullMatrix<double> &result) const;
 
     /// G_c times the crack surface of the cell, N (mJ per mm thickness).
-    double
-    energy() const;
+    double energy() const;
 
     /// Integrals of the shape functions: the lumped mass matrix, mm^2.
-    void
-    lumped_mass(dealii::Vector<double> &result) const;
+    void lumped_mass(dealii::Vector<double> &result) const;
 
   private:
     struct PointState

@@ -11,13 +11,11 @@ namespace MixedCracks
   /// "Subsection/Entry = value" lines of the entries that make up a case, and
   /// hence must not change when a run is resumed: all but those on load
   /// steps, solvers and output.
-  std::string
-  case_signature(const dealii::ParameterHandler &prm);
+  std::string case_signature(const dealii::ParameterHandler &prm);
 
   /// Throws InputError with the first difference when @p now is not the case
   /// that @p before is of.
-  void
-  require_same_case(const std::string &before, const std::string &now);
+  void require_same_case(const std::string &before, const std::string &now);
 } // namespace MixedCracks
 
 #endif

@@ -17,18 +17,17 @@ namespace MixedCracks
   {
     std::string message;
     try
-      {
-        body();
-      }
+    {
+      body();
+    }
     catch (const InputError &error)
-      {
-        message = error.what();
-      }
-    namespace MPI        = dealii::Utilities::MPI;
-    const unsigned int n = MPI::n_mpi_processes(communicator);
-    const unsigned int failing =
-      MPI::min(message.empty() ? n : MPI::this_mpi_process(communicator),
-               communicator);
+    {
+      message = error.what();
+    }
+    namespace MPI              = dealii::Utilities::MPI;
+    const unsigned int n       = MPI::n_mpi_processes(communicator);
+    const unsigned int failing = MPI::min(
+      message.empty() ? n : MPI::this_mpi_process(communicator), communicator);
     if (failing < n)
       throw InputError(MPI::broadcast(communicator, message, failing));
   }

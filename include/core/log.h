@@ -8,8 +8,8 @@
 namespace MixedCracks
 {
   /// printf into a string.
-  std::string
-  printed(const char *format, ...) __attribute__((format(printf, 1, 2)));
+  std::string printed(const char *format, ...)
+    __attribute__((format(printf, 1, 2)));
 
   /// What a run says: on the screen and, once open() was called, in a file.
   /// Only the rank it is active on writes; the others may call it all the
@@ -22,20 +22,16 @@ namespace MixedCracks
 
     /// Also write to @p file_name, what was said so far included. With
     /// @p append an existing file is continued.
-    void
-    open(const std::string &file_name, bool append);
+    void open(const std::string &file_name, bool append);
 
     /// Write one line.
-    void
-    line(const std::string &text);
+    void line(const std::string &text);
 
     /// On a terminal, show this below the last line until the next one.
-    void
-    progress(const std::string &text);
+    void progress(const std::string &text);
 
   private:
-    void
-    clear_progress();
+    void clear_progress();
 
     const bool    active;
     const bool    on_terminal;

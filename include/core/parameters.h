@@ -30,22 +30,18 @@ namespace MixedCracks
     SolverParameters        solver;
     OutputParameters        output;
 
-    Parameters()                   = default;
-    Parameters(const Parameters &) = delete;
-    Parameters &
-    operator=(const Parameters &) = delete;
+    Parameters()                              = default;
+    Parameters(const Parameters &)            = delete;
+    Parameters &operator=(const Parameters &) = delete;
 
-    void
-    add_parameters(dealii::ParameterHandler &prm);
+    void add_parameters(dealii::ParameterHandler &prm);
 
     /// All checks of the rooms, and those across rooms, before anything is
     /// allocated. Throws InputError.
-    void
-    check() const;
+    void check() const;
 
     /// The boundary whose reaction is reported.
-    std::string
-    force_boundary() const;
+    std::string force_boundary() const;
   };
 } // namespace MixedCracks
 

@@ -1,4 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
+#ifndef mixed_cracks_core_precompiled_h
+#define mixed_cracks_core_precompiled_h
+
 // Headers of other libraries that most files need; nothing of our own.
 #include <deal.II/base/function.h>
 #include <deal.II/base/mpi.h>
@@ -6,8 +9,8 @@
 #include <deal.II/base/timer.h>
 #include <deal.II/distributed/tria.h>
 #include <deal.II/dofs/dof_tools.h>
-#include <deal.II/fe/fe_system.h>
 #include <deal.II/fe/fe_q.h>
+#include <deal.II/fe/fe_system.h>
 #include <deal.II/fe/fe_values.h>
 #include <deal.II/fe/mapping_q.h>
 #include <deal.II/lac/affine_constraints.h>
@@ -16,3 +19,5 @@
 #include <deal.II/numerics/vector_tools.h>
 #include <functional>
 #include <memory>
+
+#endif

@@ -22,8 +22,8 @@ namespace MixedCracks
   public:
     struct Entry
     {
-      std::string name;
-      std::string description;
+      std::string                                           name;
+      std::string                                           description;
       std::function<std::unique_ptr<Product>(Arguments...)> make;
     };
 

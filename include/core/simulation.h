@@ -43,78 +43,58 @@ namespace MixedCracks
                Log                   &log);
 
     /// Mesh, degrees of freedom and what can be said of them beforehand.
-    void
-    preflight();
+    void preflight();
 
     /// The whole calculation, into the output directory.
-    RunOutcome
-    run(ExistingRun existing);
+    RunOutcome run(ExistingRun existing);
 
   private:
-    void
-    make_mesh_and_material();
+    void make_mesh_and_material();
 
-    void
-    set_up_mesh_dependent();
+    void set_up_mesh_dependent();
 
-    void
-    prepare_output(ExistingRun existing);
+    void prepare_output(ExistingRun existing);
 
-    State
-    initial_state();
+    State initial_state();
 
     enum class Progress
     {
       accepted,
-      failed,    ///< at the smallest step
+      failed,     ///< at the smallest step
       interrupted ///< the user or the clock asked to stop
     };
 
     /// Try steps until one is accepted, or there is no way on.
-    Progress
-    advance(State &accepted);
+    Progress advance(State &accepted);
 
-    State
-    resumed_state();
+    State resumed_state();
 
-    void
-    write_checkpoint(const State &state);
+    void write_checkpoint(const State &state);
 
-    bool
-    stop_now() const;
+    bool stop_now() const;
 
-    StepOutcome
-    solve_step(const State &accepted, State &trial, double bound);
+    StepOutcome solve_step(const State &accepted, State &trial, double bound);
 
     void
     record(const State &before, const State &state, const StepOutcome &outcome);
 
-    void
-    write_fields(const State &state, unsigned int step);
+    void write_fields(const State &state, unsigned int step);
 
-    void
-    write_fields_when_due(const State &state);
+    void write_fields_when_due(const State &state);
 
-    RunOutcome
-    finish(const State &last, Progress progress);
+    RunOutcome finish(const State &last, Progress progress);
 
-    Summary
-    summarize(const RunOutcome &outcome);
+    Summary summarize(const RunOutcome &outcome);
 
-    double
-    smallest_phase_field(const State &state) const;
+    double smallest_phase_field(const State &state) const;
 
-    void
-    log_header();
+    void log_header();
 
-    void
-    collect_warnings();
+    void collect_warnings();
 
-    void
-    log_end(const RunOutcome &outcome, const Summary &summary);
+    void log_end(const RunOutcome &outcome, const Summary &summary);
 
-    void
-    log_step(const StatisticsRow &row);
+    void log_step(const StatisticsRow &row);
 
     const Parameters<dim> &parameters;
     const std::string      effective_parameters;
@@ -136,16 +116,16 @@ namespace MixedCracks
     FixedPhaseField                                   fixed_phase_field;
     LoadControl                                       load_control;
 
-    BoundaryQuantities<dim> boundary_quantities;
-    StatisticsTable         statistics;
-    FieldOutput<dim>        field_output;
-    double                  external_work = 0.; // mJ
-    Checkpoint<dim>         checkpoint;
+    BoundaryQuantities<dim>  boundary_quantities;
+    StatisticsTable          statistics;
+    FieldOutput<dim>         field_output;
+    double                   external_work = 0.; // mJ
+    Checkpoint<dim>          checkpoint;
     std::optional<RunRecord> resumed;
-    State                   peak_state;
-    unsigned int            peak_step = 0;
-    bool                    separated = false;
-    std::string             case_in_words;
+    State                    peak_state;
+    unsigned int             peak_step = 0;
+    bool                     separated = false;
+    std::string              case_in_words;
     std::vector<std::string> warnings;
   };
 } // namespace MixedCracks

@@ -17,16 +17,14 @@ namespace MixedCracks
 
   /// Coarse mesh, refined as subsection "Mesh" says. Collective.
   template <int dim>
-  void
-  make_mesh(const Parameters<dim>      &parameters,
-            dealii::Triangulation<dim> &triangulation);
+  void make_mesh(const Parameters<dim>      &parameters,
+                 dealii::Triangulation<dim> &triangulation);
 
   /// Mean size of the cells of the finest level, measure^(1/dim), mm: the h
   /// of expressions. Collective.
   template <int dim>
-  double
-  finest_cell_size(const dealii::Triangulation<dim> &triangulation,
-                   MPI_Comm                          communicator);
+  double finest_cell_size(const dealii::Triangulation<dim> &triangulation,
+                          MPI_Comm                          communicator);
 
   template <int dim>
   std::vector<PrescribedComponent<dim>>
@@ -34,8 +32,8 @@ namespace MixedCracks
                         unsigned int           n_components);
 
   template <int dim>
-  Loads<dim>
-  make_loads(const Parameters<dim> &parameters, unsigned int n_components);
+  Loads<dim> make_loads(const Parameters<dim> &parameters,
+                        unsigned int           n_components);
 
   /// 1 everywhere, 0 on slits and initial cracks; without ghosts.
   template <int dim>
@@ -46,9 +44,8 @@ namespace MixedCracks
 
   /// Nodes within the unbreakable margin.
   template <int dim>
-  dealii::IndexSet
-  unbreakable_nodes(const Parameters<dim> &parameters,
-                    const Fields<dim>     &fields);
+  dealii::IndexSet unbreakable_nodes(const Parameters<dim> &parameters,
+                                     const Fields<dim>     &fields);
 
   /// Values of the phase field prescribed on the boundary at @p time.
   template <int dim>
@@ -58,8 +55,7 @@ namespace MixedCracks
                          double                 time);
 
   /// How a step couples its fields.
-  CouplingOptions
-  coupling_options(const ModelParameters &model);
+  CouplingOptions coupling_options(const ModelParameters &model);
 } // namespace MixedCracks
 
 #endif

@@ -19,9 +19,9 @@ namespace MixedCracks
       extrapolated,
       iterated
     };
-    Kind         kind            = Kind::iterated;
-    double       tolerance       = 1e-3; ///< of max|phi - phi~|
-    double       over_relaxation = 1.;
+    Kind   kind            = Kind::iterated;
+    double tolerance       = 1e-3; ///< of max|phi - phi~|
+    double over_relaxation = 1.;
     /// largest factor of Aitken's acceleration; off when not larger than
     /// over_relaxation
     double       largest_acceleration = 1.;
@@ -35,8 +35,8 @@ namespace MixedCracks
     /// changed by more than allowed
     bool         solved              = false;
     bool         interrupted         = false; ///< the user asked to stop
-    double       phase_field_change  = 0.; ///< max(phi^(n-1) - phi^n)
-    double       coupling_change     = 0.; ///< last max|phi - phi~|
+    double       phase_field_change  = 0.;    ///< max(phi^(n-1) - phi^n)
+    double       coupling_change     = 0.;    ///< last max|phi - phi~|
     unsigned int coupling_iterations = 0;
     unsigned int newton_iterations   = 0;
     unsigned int linear_iterations   = 0;
@@ -61,44 +61,37 @@ namespace MixedCracks
 
     /// Solve for @p trial, whose time is set, from @p accepted. Left early
     /// when the phase field changed by more than @p bound.
-    StepOutcome
-    solve(const State           &accepted,
-          const FixedPhaseField &fixed,
-          double                 bound,
-          State                 &trial);
+    StepOutcome solve(const State           &accepted,
+                      const FixedPhaseField &fixed,
+                      double                 bound,
+                      State                 &trial);
 
   private:
-    void
-    start_lagged_field(const State &accepted, State &trial) const;
+    void start_lagged_field(const State &accepted, State &trial) const;
 
-    void
-    advance_lagged_field(const State &accepted, State &trial);
+    void advance_lagged_field(const State &accepted, State &trial);
 
-    double
-    acceleration(const LinearAlgebra::Vector &difference) const;
+    double acceleration(const LinearAlgebra::Vector &difference) const;
 
-    NewtonOutcome
-    solve_elastic(const StepOutcome &so_far, State &trial);
+    NewtonOutcome solve_elastic(const StepOutcome &so_far, State &trial);
 
-    ActiveSetOutcome
-    solve_phase_field(const State           &accepted,
-                      const FixedPhaseField &fixed,
-                      State                 &trial,
-                      StepOutcome           &outcome);
+    ActiveSetOutcome solve_phase_field(const State           &accepted,
+                                       const FixedPhaseField &fixed,
+                                       State                 &trial,
+                                       StepOutcome           &outcome);
 
-    void
-    log_iteration(unsigned int            iteration,
-                  const NewtonOutcome    &newton,
-                  const ActiveSetOutcome &active_set,
-                  double                  change);
+    void log_iteration(unsigned int            iteration,
+                       const NewtonOutcome    &newton,
+                       const ActiveSetOutcome &active_set,
+                       double                  change);
 
-    ElasticStep<dim>     &elastic;
-    PhaseFieldStep<dim>  &phase_field;
-    const CouplingOptions options;
-    const NewtonOptions   newton_options;
+    ElasticStep<dim>           &elastic;
+    PhaseFieldStep<dim>        &phase_field;
+    const CouplingOptions       options;
+    const NewtonOptions         newton_options;
     const std::function<bool()> stop_requested;
-    const MPI_Comm        communicator;
-    Log                  &log;
+    const MPI_Comm              communicator;
+    Log                        &log;
 
     // of the last advance of the lagged field: phi - phi~ and its factor
     LinearAlgebra::Vector last_difference;

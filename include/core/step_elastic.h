@@ -50,23 +50,19 @@ namespace MixedCracks
                 dealii::TimerOutput    &timer);
 
     /// To be called when the mesh changed.
-    LinearOutcome
-    reinit();
+    LinearOutcome reinit();
 
     /// A start for the step to trial.time from the accepted state: scaled
     /// where the load is proportional, which is exact while nothing breaks.
-    void
-    predict(const State &accepted, State &trial) const;
+    void predict(const State &accepted, State &trial) const;
 
     /// Solve for trial.elastic with trial.lagged_phase_field; sets
     /// trial.reaction too. At most @p max_iterations Newton iterations.
-    NewtonOutcome
-    solve(State &trial, const NewtonOptions &options);
+    NewtonOutcome solve(State &trial, const NewtonOptions &options);
 
     /// Work of the loads between two states by the trapezoidal rule, and of
     /// the supports; N (mJ per mm thickness).
-    double
-    external_work(const State &before, const State &after) const;
+    double external_work(const State &before, const State &after) const;
 
     const Counts &
     counts() const
@@ -81,14 +77,11 @@ namespace MixedCracks
     }
 
   private:
-    LinearAlgebra::Vector
-    external_forces(double time) const;
+    LinearAlgebra::Vector external_forces(double time) const;
 
-    ResidualSize
-    evaluate_residual(const State &trial);
+    ResidualSize evaluate_residual(const State &trial);
 
-    LinearOutcome
-    update_matrix(const State &trial, bool force);
+    LinearOutcome update_matrix(const State &trial, bool force);
 
     const Fields<dim>      &fields;
     const Constraints<dim> &constraints;

@@ -36,16 +36,14 @@ namespace MixedCracks
                    dealii::TimerOutput    &timer);
 
     /// To be called when the mesh changed.
-    void
-    reinit();
+    void reinit();
 
     /// Solve for trial.phase_field.
     ActiveSetOutcome
     solve(const State &accepted, const FixedPhaseField &fixed, State &trial);
 
   private:
-    void
-    set_bounds(const State &accepted, const FixedPhaseField &fixed);
+    void set_bounds(const State &accepted, const FixedPhaseField &fixed);
 
     const Fields<dim>      &fields;
     const Constraints<dim> &constraints;

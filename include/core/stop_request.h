@@ -8,12 +8,10 @@ namespace MixedCracks
 {
   /// From now on SIGTERM, SIGINT and SIGUSR1 ask the run to stop in order,
   /// rather than ending it.
-  void
-  listen_for_stop_requests();
+  void listen_for_stop_requests();
 
   /// Whether any rank was asked to stop. Collective.
-  bool
-  stop_requested(MPI_Comm communicator);
+  bool stop_requested(MPI_Comm communicator);
 } // namespace MixedCracks
 
 #endif

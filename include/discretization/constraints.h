@@ -35,22 +35,18 @@ namespace MixedCracks
                 std::vector<PrescribedComponent<dim>> prescribed);
 
     /// To be called when the mesh changed.
-    void
-    reinit();
+    void reinit();
 
     /// The prescribed values at @p time written into @p elastic (without
     /// ghosts), and hanging nodes made to fit.
-    void
-    apply_prescribed(double time, LinearAlgebra::Vector &elastic) const;
+    void apply_prescribed(double time, LinearAlgebra::Vector &elastic) const;
 
     /// Zero everything but the rows of prescribed dofs (of a vector without
     /// ghosts): from a residual to the reaction.
-    void
-    keep_prescribed(LinearAlgebra::Vector &residual) const;
+    void keep_prescribed(LinearAlgebra::Vector &residual) const;
 
     /// Zero the rows of prescribed dofs: from a residual to a right hand side.
-    void
-    drop_prescribed(LinearAlgebra::Vector &residual) const;
+    void drop_prescribed(LinearAlgebra::Vector &residual) const;
 
     const dealii::AffineConstraints<double> &
     elastic_hanging_nodes() const
@@ -77,8 +73,7 @@ namespace MixedCracks
     }
 
   private:
-    std::vector<bool>
-    mask_of(const PrescribedComponent<dim> &entry) const;
+    std::vector<bool> mask_of(const PrescribedComponent<dim> &entry) const;
 
     const Fields<dim>                    &fields;
     std::vector<PrescribedComponent<dim>> prescribed;

@@ -45,8 +45,7 @@ namespace MixedCracks
            const FieldLayout                &layout);
 
     /// Number the degrees of freedom; to be called when the mesh changed.
-    void
-    distribute();
+    void distribute();
 
     dealii::DoFHandler<dim>       elastic;
     dealii::DoFHandler<dim>       phase_field;

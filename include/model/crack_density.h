@@ -14,34 +14,27 @@ namespace MixedCracks
     virtual ~CrackDensity() = default;
 
     /// a(phi), dimensionless.
-    virtual double
-    local(double phi) const = 0;
+    virtual double local(double phi) const = 0;
 
     /// a'(phi).
-    virtual double
-    local_derivative(double phi) const = 0;
+    virtual double local_derivative(double phi) const = 0;
 
     /// a''(phi).
-    virtual double
-    local_second_derivative(double phi) const = 0;
+    virtual double local_second_derivative(double phi) const = 0;
 
     /// b, dimensionless.
-    virtual double
-    gradient_coefficient() const = 0;
+    virtual double gradient_coefficient() const = 0;
 
     /// phi at the distance x = @p distance_over_length * l from a fully
     /// developed crack in 1-d; the integral of gamma over it is 1.
-    virtual double
-    optimal_profile(double distance_over_length) const = 0;
+    virtual double optimal_profile(double distance_over_length) const = 0;
 
     /// Half the width of the damaged band divided by l; infinity for AT2.
-    virtual double
-    half_width() const = 0;
+    virtual double half_width() const = 0;
   };
 
   /// AT1, AT2 and Wu by name.
-  const Registry<CrackDensity> &
-  all_crack_densities();
+  const Registry<CrackDensity> &all_crack_densities();
 } // namespace MixedCracks
 
 #endif

@@ -23,23 +23,18 @@ namespace MixedCracks
     double lambda;
     double mu;
 
-    double
-    youngs_modulus() const;
-    double
-    poisson_ratio() const;
-    double
-    bulk_modulus() const;
+    double youngs_modulus() const;
+    double poisson_ratio() const;
+    double bulk_modulus() const;
   };
 
   /// Lame's pair from any pair. Throws InputError unless exactly two are
   /// given and the result is admissible (mu > 0, lambda > 0: the pressure law
   /// divides by lambda).
-  ElasticConstants
-  elastic_constants(const GivenElasticConstants &given);
+  ElasticConstants elastic_constants(const GivenElasticConstants &given);
 
   /// (M6): lambda* = 2 lambda mu / (lambda + 2 mu), mu unchanged.
-  ElasticConstants
-  plane_stress(const ElasticConstants &constants);
+  ElasticConstants plane_stress(const ElasticConstants &constants);
 } // namespace MixedCracks
 
 #endif

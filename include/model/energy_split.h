@@ -36,19 +36,16 @@ namespace MixedCracks
     /// A small integer that is the same for two strains of this split exactly
     /// when both have the same tangents, so that a matrix need not be built
     /// again; -1 when the tangents change with every strain.
-    virtual int
-    branch(const dealii::SymmetricTensor<2, dim> &strain) const = 0;
+    virtual int branch(const dealii::SymmetricTensor<2, dim> &strain) const = 0;
 
     /// Whether only p > 0 is degraded (true) or every p (false).
-    virtual bool
-    splits_pressure() const = 0;
+    virtual bool splits_pressure() const = 0;
   };
 
   /// Splits by name; the argument is n of (M3), the dimension of the
   /// deviator, 2 or 3; in 3-d it is 3 whatever is given.
   template <int dim>
-  const Registry<EnergySplit<dim>, int> &
-  all_energy_splits();
+  const Registry<EnergySplit<dim>, int> &all_energy_splits();
 } // namespace MixedCracks
 
 #endif

@@ -34,7 +34,7 @@ namespace MixedCracks
   template <int dim>
   struct ElasticResponse
   {
-    dealii::SymmetricTensor<2, dim> stress;         ///< g sigma+ + sigma-, MPa
+    dealii::SymmetricTensor<2, dim> stress; ///< g sigma+ + sigma-, MPa
     dealii::SymmetricTensor<4, dim> stress_by_strain; ///< MPa
     double stress_by_pressure;     ///< d(stress)/dp = this * I
     double constraint;             ///< divergence tr(eps) - compliance p
@@ -59,16 +59,13 @@ namespace MixedCracks
 
     /// Displacement formulation: only stress and stress_by_strain are set,
     /// the other members are 0.
-    ElasticResponse<dim>
-    eliminated(const Strain &strain, double g) const;
+    ElasticResponse<dim> eliminated(const Strain &strain, double g) const;
 
     /// The p for which the constraint holds at this strain; MPa.
-    double
-    pressure(const Strain &strain, double g) const;
+    double pressure(const Strain &strain, double g) const;
 
     /// sigma+ : eps of (M5), third line, undegraded; MPa.
-    double
-    driving_force(const Strain &strain, double pressure, double g) const;
+    double driving_force(const Strain &strain, double pressure, double g) const;
 
     /// Stored elastic energy density, degraded: half of stress : strain; MPa.
     double
@@ -77,8 +74,7 @@ namespace MixedCracks
     /// A number that two points share exactly when mixed() (or eliminated(),
     /// with pressure 0) gives them the same derivatives for the same g;
     /// negative when it cannot be said.
-    int
-    branch(const Strain &strain, double pressure) const;
+    int branch(const Strain &strain, double pressure) const;
 
     const Degradation &
     degradation() const
@@ -99,8 +95,7 @@ namespace MixedCracks
     }
 
   private:
-    bool
-    is_tension(double pressure_or_trace) const;
+    bool is_tension(double pressure_or_trace) const;
 
     MaterialDescription               constants;
     Degradation                       degradation_function;

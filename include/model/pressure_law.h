@@ -36,8 +36,7 @@ namespace MixedCracks
 
     /// @p g: degradation in (0, 1]. @p tension: p is degraded here, because
     /// it is positive or the energy split does not distinguish.
-    virtual PressureCoefficients
-    coefficients(double g, bool tension) const = 0;
+    virtual PressureCoefficients coefficients(double g, bool tension) const = 0;
   };
 
   /// Constants of a pressure law.
@@ -51,8 +50,7 @@ namespace MixedCracks
   /// Pressure laws by name: "relaxed bulk" (M8), "degraded divergence" (M7),
   /// and "degraded bulk" (true pressure, stress g<p>, the classical law of
   /// the displacement formulation).
-  const Registry<PressureLaw, const PressureConstants &> &
-  all_pressure_laws();
+  const Registry<PressureLaw, const PressureConstants &> &all_pressure_laws();
 } // namespace MixedCracks
 
 #endif

@@ -45,33 +45,27 @@ namespace MixedCracks
     Checkpoint(const std::string &directory, MPI_Comm communicator);
 
     /// Overwrite the older generation. Throws FileError. Collective.
-    void
-    write(const RunRecord     &record,
-          const State         &state,
-          const Fields<dim>   &fields,
-          const Triangulation &triangulation) const;
+    void write(const RunRecord     &record,
+               const State         &state,
+               const Fields<dim>   &fields,
+               const Triangulation &triangulation) const;
 
     /// Find the newest whole generation and read what is not a field. Throws
     /// InputError when there is none. Collective.
-    RunRecord
-    read();
+    RunRecord read();
 
     /// Refine the coarse mesh as it was, after read().
-    void
-    load_mesh(Triangulation &triangulation) const;
+    void load_mesh(Triangulation &triangulation) const;
 
     /// The fields, after load_mesh() and the distribution of dofs; times are
     /// left alone.
-    void
-    load_fields(const Fields<dim> &fields, State &state) const;
+    void load_fields(const Fields<dim> &fields, State &state) const;
 
   private:
-    std::string
-    generation_directory(int generation) const;
+    std::string generation_directory(int generation) const;
 
     /// Step of a generation, -1 when it is not whole. On rank 0.
-    int
-    step_of(int generation) const;
+    int step_of(int generation) const;
 
     const std::string directory;
     const MPI_Comm    communicator;

@@ -26,10 +26,9 @@ namespace MixedCracks
     /// Write @p state as step @p step unless that step is written already.
     /// @p cell_data: further values per active cell, by name. Throws
     /// FileError. Collective.
-    void
-    write(const State                                        &state,
-          unsigned int                                        step,
-          const std::map<std::string, dealii::Vector<float>> &cell_data);
+    void write(const State                                        &state,
+               unsigned int                                        step,
+               const std::map<std::string, dealii::Vector<float>> &cell_data);
 
     bool
     has(const unsigned int step) const
@@ -38,8 +37,7 @@ namespace MixedCracks
     }
 
     /// Continue the list of a resumed run.
-    void
-    restore(const std::vector<std::pair<double, std::string>> &earlier);
+    void restore(const std::vector<std::pair<double, std::string>> &earlier);
 
     const std::vector<std::pair<double, std::string>> &
     records() const
@@ -48,8 +46,7 @@ namespace MixedCracks
     }
 
   private:
-    void
-    write_collection() const;
+    void write_collection() const;
 
     const Fields<dim>                          &fields;
     const std::string                           directory;

@@ -17,12 +17,10 @@ namespace MixedCracks
     double      wall_time_limit  = 0.;
 
     /// Enters the subsection itself.
-    void
-    add_parameters(dealii::ParameterHandler &prm);
+    void add_parameters(dealii::ParameterHandler &prm);
 
     /// Throws InputError for an empty directory name.
-    void
-    check() const;
+    void check() const;
   };
 } // namespace MixedCracks
 

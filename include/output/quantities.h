@@ -20,19 +20,16 @@ namespace MixedCracks
                        dealii::types::boundary_id force_boundary);
 
     /// To be called when the mesh changed.
-    void
-    reinit();
+    void reinit();
 
     /// Consistent reaction: the residual summed over the nodes of the force
     /// boundary, N per mm thickness. Signs by the outward normal of the
     /// boundary (of the axis nearest to it): positive in tension.
-    dealii::Tensor<1, dim>
-    force(const LinearAlgebra::Vector &reaction) const;
+    dealii::Tensor<1, dim> force(const LinearAlgebra::Vector &reaction) const;
 
     /// Mean prescribed displacement magnitude of the boundary that is moved
     /// most, mm.
-    double
-    displacement(double time) const;
+    double displacement(double time) const;
 
   private:
     const Fields<dim>               &fields;

@@ -14,8 +14,8 @@ namespace MixedCracks
   /// One row of statistics.csv: an accepted step.
   struct StatisticsRow
   {
-    unsigned int          step = 0;
-    double                time = 0.;                ///< s
+    unsigned int          step         = 0;
+    double                time         = 0.;        ///< s
     double                displacement = 0.;        ///< mm
     std::array<double, 3> force{{0., 0., 0.}};      ///< N, with thickness
     double                elastic_energy      = 0.; ///< mJ
@@ -35,8 +35,7 @@ namespace MixedCracks
     unsigned int          rejected_steps      = 0;
 
     /// Length of the force vector, N.
-    double
-    force_size() const;
+    double force_size() const;
   };
 
   /// statistics.csv: one row per accepted step, flushed as it is written, and
@@ -48,16 +47,13 @@ namespace MixedCracks
 
     /// Open @p file_name; with @p append the rows that are there up to
     /// @p last_step stay. Throws FileError. Collective.
-    void
-    open(const std::string &file_name, int dim);
+    void open(const std::string &file_name, int dim);
 
     /// Rows kept by a resumed run, written anew. Collective.
-    void
-    restore(const std::vector<StatisticsRow> &earlier);
+    void restore(const std::vector<StatisticsRow> &earlier);
 
     /// Throws FileError when the disk is full. Collective.
-    void
-    add(const StatisticsRow &row);
+    void add(const StatisticsRow &row);
 
     const std::vector<StatisticsRow> &
     rows() const

@@ -16,13 +16,13 @@ namespace MixedCracks
     std::string  version, revision, deal_ii_version;
     std::string  case_in_words;
     std::string  coupling, pressure_law, formulation, kinematics, linear_solver;
-    unsigned int ranks = 1;
+    unsigned int ranks        = 1;
     double       length_scale = 0., cell_size = 0.; ///< mm
     double       residual_stiffness = 0.;
     double       thickness          = 1.; ///< mm
     bool         separated          = false;
     std::string  exit_reason;
-    int          exit_status = 0;
+    int          exit_status    = 0;
     unsigned int rejected_steps = 0, factorizations = 0;
     double       wall_time = 0.; ///< s
     /// seconds spent in each phase, the largest over the ranks
@@ -31,14 +31,12 @@ namespace MixedCracks
   };
 
   /// Write it with the peak that @p rows show. Called on one rank.
-  void
-  write_summary(const std::string                &file_name,
-                const Summary                    &summary,
-                const std::vector<StatisticsRow> &rows);
+  void write_summary(const std::string                &file_name,
+                     const Summary                    &summary,
+                     const std::vector<StatisticsRow> &rows);
 
   /// Index of the row with the largest force.
-  std::size_t
-  peak_row(const std::vector<StatisticsRow> &rows);
+  std::size_t peak_row(const std::vector<StatisticsRow> &rows);
 } // namespace MixedCracks
 
 #endif

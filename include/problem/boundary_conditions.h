@@ -32,9 +32,8 @@ namespace MixedCracks
       expressions[component] = std::move(value);
     }
 
-    double
-    value(const dealii::Point<dim> &point,
-          const unsigned int        component) const override;
+    double value(const dealii::Point<dim> &point,
+                 const unsigned int        component) const override;
 
   private:
     std::vector<std::shared_ptr<const Expression>> expressions;
@@ -58,18 +57,15 @@ namespace MixedCracks
     using BoundaryIds = std::map<std::string, dealii::types::boundary_id>;
 
     /// Enters the subsection itself.
-    void
-    add_parameters(dealii::ParameterHandler &prm);
+    void add_parameters(dealii::ParameterHandler &prm);
 
     /// Throws InputError for entries that cannot be read or name a boundary
     /// that is not in @p boundaries.
-    void
-    check(const BoundaryIds &boundaries) const;
+    void check(const BoundaryIds &boundaries) const;
 
     /// Entries of "Displacement", 'all' spread over the components; those on
     /// the phase field have component dim.
-    std::vector<BoundaryEntry<dim>>
-    displacements() const;
+    std::vector<BoundaryEntry<dim>> displacements() const;
 
     /// Nodal loads by boundary, components 0 to dim - 1; MPa.
     std::map<std::string, std::shared_ptr<ExpressionFunction<dim>>>

@@ -19,21 +19,17 @@ namespace MixedCracks
     std::string text;
 
     /// Enters the subsection itself.
-    void
-    add_parameters(dealii::ParameterHandler &prm);
+    void add_parameters(dealii::ParameterHandler &prm);
 
     /// Throws InputError for segments that cannot be read.
-    void
-    check() const;
+    void check() const;
 
-    std::vector<Segment<dim>>
-    segments() const;
+    std::vector<Segment<dim>> segments() const;
   };
 
   /// Distance of a point from a segment, mm.
   template <int dim>
-  double
-  distance(const dealii::Point<dim> &point, const Segment<dim> &segment);
+  double distance(const dealii::Point<dim> &point, const Segment<dim> &segment);
 } // namespace MixedCracks
 
 #endif

@@ -30,12 +30,10 @@ namespace MixedCracks
     int         max_iterations      = 2000;
 
     /// Enters the subsection itself.
-    void
-    add_parameters(dealii::ParameterHandler &prm);
+    void add_parameters(dealii::ParameterHandler &prm);
 
     /// Throws InputError for values that cannot be combined.
-    void
-    check() const;
+    void check() const;
 
     bool
     mixed() const
@@ -44,20 +42,16 @@ namespace MixedCracks
     }
 
     /// Polynomial degree of the displacement.
-    unsigned int
-    degree() const;
+    unsigned int degree() const;
 
     /// n of (M3) for a @p dim -dimensional problem.
-    int
-    deviator(int dim) const;
+    int deviator(int dim) const;
 
     /// The length scale (mm) for the cell size @p h (mm).
-    double
-    evaluate_length_scale(double h) const;
+    double evaluate_length_scale(double h) const;
 
     /// kappa for the cell size @p h (mm).
-    double
-    evaluate_residual_stiffness(double h) const;
+    double evaluate_residual_stiffness(double h) const;
   };
 
   /// Subsection "Material".
@@ -74,24 +68,20 @@ namespace MixedCracks
     double thickness                    = 1.;
 
     /// Enters the subsection itself.
-    void
-    add_parameters(dealii::ParameterHandler &prm);
+    void add_parameters(dealii::ParameterHandler &prm);
 
     /// Throws InputError unless exactly one admissible pair is given.
-    void
-    check() const;
+    void check() const;
 
     /// As given, three-dimensional.
-    ElasticConstants
-    elastic() const;
+    ElasticConstants elastic() const;
   };
 
   /// All that a Material needs, for the cell size @p h (mm).
-  MaterialDescription
-  describe_material(const ModelParameters    &model,
-                    const MaterialParameters &material,
-                    int                       dim,
-                    double                    h);
+  MaterialDescription describe_material(const ModelParameters    &model,
+                                        const MaterialParameters &material,
+                                        int                       dim,
+                                        double                    h);
 } // namespace MixedCracks
 
 #endif

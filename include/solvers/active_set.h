@@ -29,7 +29,7 @@ namespace MixedCracks
     /// c of the criterion, an energy density (MPa): 10 G_c / l
     double       weight                = 1.;
     double       relative_tolerance    = 1e-10; ///< of the linear solves
-    unsigned int max_iterations        = 12; ///< then the safeguard takes over
+    unsigned int max_iterations        = 12;  ///< then the safeguard takes over
     unsigned int max_descents          = 500; ///< iterations of the safeguard
     unsigned int max_linear_iterations = 300;
   };
@@ -63,10 +63,9 @@ namespace MixedCracks
 
     /// @p solution and @p residual (the gradient at it) on entry at the start,
     /// on exit at the solution. Collective.
-    ActiveSetOutcome
-    solve(const BoundedProblem  &problem,
-          LinearAlgebra::Vector &solution,
-          LinearAlgebra::Vector &residual) const;
+    ActiveSetOutcome solve(const BoundedProblem  &problem,
+                           LinearAlgebra::Vector &solution,
+                           LinearAlgebra::Vector &residual) const;
 
   private:
     enum class Side : char
@@ -76,31 +75,27 @@ namespace MixedCracks
       upper
     };
 
-    std::vector<Side>
-    decide_sides(const BoundedProblem        &problem,
-                 const LinearAlgebra::Vector &solution,
-                 const LinearAlgebra::Vector &residual) const;
+    std::vector<Side> decide_sides(const BoundedProblem        &problem,
+                                   const LinearAlgebra::Vector &solution,
+                                   const LinearAlgebra::Vector &residual) const;
 
-    LinearOutcome
-    compute_correction(const BoundedProblem        &problem,
-                       const std::vector<Side>     &sides,
-                       const LinearAlgebra::Vector &solution,
-                       const LinearAlgebra::Vector &residual,
-                       LinearAlgebra::Vector       &correction) const;
+    LinearOutcome compute_correction(const BoundedProblem        &problem,
+                                     const std::vector<Side>     &sides,
+                                     const LinearAlgebra::Vector &solution,
+                                     const LinearAlgebra::Vector &residual,
+                                     LinearAlgebra::Vector &correction) const;
 
     /// Leaves with converged == false when the sets do not settle.
-    ActiveSetOutcome
-    settle(const BoundedProblem  &problem,
-           LinearAlgebra::Vector &solution,
-           LinearAlgebra::Vector &residual) const;
+    ActiveSetOutcome settle(const BoundedProblem  &problem,
+                            LinearAlgebra::Vector &solution,
+                            LinearAlgebra::Vector &residual) const;
 
     ActiveSetOptions options;
   };
 
   /// 1 / |diagonal| of the owned rows: the preconditioner of the free dofs.
-  void
-  invert_diagonal(const LinearAlgebra::SparseMatrix &matrix,
-                  LinearAlgebra::Vector             &inverse);
+  void invert_diagonal(const LinearAlgebra::SparseMatrix &matrix,
+                       LinearAlgebra::Vector             &inverse);
 } // namespace MixedCracks
 
 #endif

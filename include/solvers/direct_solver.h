@@ -32,17 +32,14 @@ namespace MixedCracks
 
     /// Take the matrix, whose values may change later but not its pattern,
     /// and analyse the pattern. The matrix must outlive the solver.
-    LinearOutcome
-    initialize(const LinearAlgebra::SparseMatrix &matrix);
+    LinearOutcome initialize(const LinearAlgebra::SparseMatrix &matrix);
 
     /// Factorise the present values.
-    LinearOutcome
-    factorize();
+    LinearOutcome factorize();
 
     /// matrix * @p solution = @p right_hand_side with the last factors.
-    LinearOutcome
-    solve(LinearAlgebra::Vector       &solution,
-          const LinearAlgebra::Vector &right_hand_side) const;
+    LinearOutcome solve(LinearAlgebra::Vector       &solution,
+                        const LinearAlgebra::Vector &right_hand_side) const;
 
     /// The package in use, as "MUMPS".
     const std::string &
@@ -52,13 +49,12 @@ namespace MixedCracks
     }
 
     /// Packages this program can use, the best first.
-    static std::vector<std::string>
-    available_packages();
+    static std::vector<std::string> available_packages();
 
   private:
-    std::string                                name;
-    std::unique_ptr<Epetra_LinearProblem>      problem;
-    std::unique_ptr<Amesos_BaseSolver>         solver;
+    std::string                           name;
+    std::unique_ptr<Epetra_LinearProblem> problem;
+    std::unique_ptr<Amesos_BaseSolver>    solver;
   };
 } // namespace MixedCracks
 

@@ -11,22 +11,20 @@ namespace MixedCracks
   /// Subsection "Load stepping".
   struct LoadParameters
   {
-    double end_time                   = 1.;
-    double first_step                 = 0.1;
-    double largest_step               = 0.1;
-    double onset_step                 = 0.01;
-    double smallest_step              = 1e-4;
-    double largest_phase_field_change = 0.3;
-    double stop_fraction              = 0.;
+    double      end_time                   = 1.;
+    double      first_step                 = 0.1;
+    double      largest_step               = 0.1;
+    double      onset_step                 = 0.01;
+    double      smallest_step              = 1e-4;
+    double      largest_phase_field_change = 0.3;
+    double      stop_fraction              = 0.;
     std::string force_boundary;
 
     /// Enters the subsection itself.
-    void
-    add_parameters(dealii::ParameterHandler &prm);
+    void add_parameters(dealii::ParameterHandler &prm);
 
     /// Throws InputError when the steps are not in order.
-    void
-    check() const;
+    void check() const;
   };
 
   /// Chooses the load steps: halves them when a step failed or the phase
@@ -45,8 +43,7 @@ namespace MixedCracks
     explicit LoadControl(const LoadParameters &parameters);
 
     /// Time after the step that is to be tried, s.
-    double
-    target_time() const;
+    double target_time() const;
 
     /// The step that is to be tried, s.
     double
@@ -57,21 +54,17 @@ namespace MixedCracks
 
     /// The bound on the change of the phase field that holds for the present
     /// step; infinity at the onset step and below.
-    double
-    phase_field_bound() const;
+    double phase_field_bound() const;
 
     /// Judge the step that was tried.
-    Verdict
-    judge(bool converged, double phase_field_change);
+    Verdict judge(bool converged, double phase_field_change);
 
     /// Whether the end time is reached.
-    bool
-    at_end() const;
+    bool at_end() const;
 
     /// Watch the force: true when it has fallen below the fraction of its
     /// peak at which the run is to stop.
-    bool
-    is_separated(double force);
+    bool is_separated(double force);
 
     double
     peak_force() const
@@ -86,19 +79,16 @@ namespace MixedCracks
     }
 
     /// Continue from a checkpoint.
-    void
-    restore(double time, double step, double peak_force);
+    void restore(double time, double step, double peak_force);
 
   private:
-    void
-    limit_step();
+    void limit_step();
 
     LoadParameters parameters;
     double         time = 0.;
     double         time_step;
     double         peak     = 0.;
-    unsigned int   rejected          = 0;
-    unsigned int   rejected_in_a_row = 0;
+    unsigned int   rejected = 0;
   };
 } // namespace MixedCracks
 

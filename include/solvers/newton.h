@@ -33,7 +33,7 @@ namespace MixedCracks
     unsigned int max_iterations     = 25;
     unsigned int max_bisections     = 6; ///< of the line search
     /// an old matrix is given up when it reduces the residual by less
-    double required_reduction = 0.1;
+    double required_reduction = 0.3;
   };
 
   struct NewtonOutcome
@@ -63,8 +63,8 @@ namespace MixedCracks
   /// Semismooth Newton with bisection line search. Between the kinks of the
   /// split the elastic problem is linear, so one iteration is the rule; an
   /// old matrix is used as long as it contracts.
-  NewtonOutcome
-  solve_newton(const NewtonProblem &problem, const NewtonOptions &options);
+  NewtonOutcome solve_newton(const NewtonProblem &problem,
+                             const NewtonOptions &options);
 } // namespace MixedCracks
 
 #endif

@@ -17,8 +17,7 @@ namespace MixedCracks
     NewtonOptions newton;
 
     /// Enters the subsection itself.
-    void
-    add_parameters(dealii::ParameterHandler &prm);
+    void add_parameters(dealii::ParameterHandler &prm);
   };
 } // namespace MixedCracks
 

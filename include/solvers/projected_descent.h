@@ -15,11 +15,10 @@ namespace MixedCracks
   /// iterations than an active set that settles.
   ///
   /// @p solution and @p residual as in ActiveSetSolver::solve(). Collective.
-  ActiveSetOutcome
-  descend_within_bounds(const BoundedProblem   &problem,
-                        const ActiveSetOptions &options,
-                        LinearAlgebra::Vector  &solution,
-                        LinearAlgebra::Vector  &residual);
+  ActiveSetOutcome descend_within_bounds(const BoundedProblem   &problem,
+                                         const ActiveSetOptions &options,
+                                         LinearAlgebra::Vector  &solution,
+                                         LinearAlgebra::Vector  &residual);
 } // namespace MixedCracks
 
 #endif

@@ -86,23 +86,23 @@ namespace MixedCracks
                                   ElasticAssessment &assessment)
   {
     for (unsigned int q = 0; q < elastic_kernel.n_quadrature_points(); ++q)
+    {
+      const std::size_t at =
+        static_cast<std::size_t>(cell) * fields.quadrature.size() + q;
+      const double degradation = elastic_kernel.degradation(q);
+      const int    branch      = elastic_kernel.branch(q);
+      assessment.degradation_change =
+        std::max(assessment.degradation_change,
+                 std::abs(degradation - matrix_degradation[at]) /
+                   std::min(degradation, matrix_degradation[at]));
+      if (branch < 0 || branch != matrix_branch[at])
+        assessment.branch_changes += 1.;
+      if (remember)
       {
-        const std::size_t at =
-          static_cast<std::size_t>(cell) * fields.quadrature.size() + q;
-        const double degradation = elastic_kernel.degradation(q);
-        const int    branch      = elastic_kernel.branch(q);
-        assessment.degradation_change =
-          std::max(assessment.degradation_change,
-                   std::abs(degradation - matrix_degradation[at]) /
-                     std::min(degradation, matrix_degradation[at]));
-        if (branch < 0 || branch != matrix_branch[at])
-          assessment.branch_changes += 1.;
-        if (remember)
-          {
-            matrix_degradation[at] = degradation;
-            matrix_branch[at]      = branch;
-          }
+        matrix_degradation[at] = degradation;
+        matrix_branch[at]      = branch;
       }
+    }
   }
 
 
@@ -115,8 +115,8 @@ namespace MixedCracks
                                    Vector            &residual)
   {
     residual = 0.;
-    ElasticAssessment       assessment{0., 0., 0., 0.};
-    dealii::Vector<double>  local(local_elastic.size());
+    ElasticAssessment      assessment{0., 0., 0., 0.};
+    dealii::Vector<double> local(local_elastic.size());
     for_each_cell([&](const Cell &cell, const Cell &phase_field_cell) {
       load_elastic(cell, phase_field_cell, elastic, lagged_phase_field);
       elastic_kernel.residual(local);
@@ -188,16 +188,14 @@ namespace MixedCracks
       phase_field_kernel.set_state(local_phase_field, driving_force);
       phase_field_kernel.residual(local);
       phase_field_cell->get_dof_indices(phase_field_indices);
-      constraints.distribute_local_to_global(local,
-                                             phase_field_indices,
-                                             residual);
+      constraints.distribute_local_to_global(
+        local, phase_field_indices, residual);
       if (matrix != nullptr)
-        {
-          phase_field_kernel.jacobian(local_matrix);
-          constraints.distribute_local_to_global(local_matrix,
-                                                 phase_field_indices,
-                                                 *matrix);
-        }
+      {
+        phase_field_kernel.jacobian(local_matrix);
+        constraints.distribute_local_to_global(
+          local_matrix, phase_field_indices, *matrix);
+      }
     });
     residual.compress(VectorOperation::add);
     if (matrix != nullptr)

@@ -20,11 +20,11 @@ namespace MixedCracks
     , points(quadrature.size())
   {
     for (unsigned int i = 0; i < element.n_dofs_per_cell(); ++i)
-      {
-        components.push_back(element.system_to_component_index(i).first);
-        (components.back() < dim ? displacement_dofs : pressure_dofs)
-          .push_back(i);
-      }
+    {
+      components.push_back(element.system_to_component_index(i).first);
+      (components.back() < dim ? displacement_dofs : pressure_dofs)
+        .push_back(i);
+    }
     unit_stresses.resize(displacement_dofs.size());
   }
 
@@ -61,37 +61,34 @@ namespace MixedCracks
                                 const std::vector<double> &lagged_phase_field)
   {
     for (unsigned int q = 0; q < points.size(); ++q)
+    {
+      PointState    &point = points[q];
+      Tensor<2, dim> gradient;
+      for (const unsigned int i : displacement_dofs)
+        gradient[components[i]] += local(i) * fe_values.shape_grad(i, q);
+      point.strain = symmetrize(gradient);
+      // interpolating phi = 1 leaves rounding; the intact material must not
+      // see it, since an unchanged matrix is not built or factorised again
+      const double phi = lagged_phase_field[q];
+      point.degradation =
+        phi > 1. - 1e-13 ? 1. : material.degradation().value(phi);
+      if (mixed)
       {
-        PointState    &point = points[q];
-        Tensor<2, dim> gradient;
-        for (const unsigned int i : displacement_dofs)
-          gradient[components[i]] += local(i) * fe_values.shape_grad(i, q);
-        point.strain      = symmetrize(gradient);
-        // interpolating phi = 1 leaves rounding; the intact material must not
-        // see it, since an unchanged matrix is not built or factorised again
-        const double phi = lagged_phase_field[q];
-        point.degradation =
-          phi > 1. - 1e-13 ? 1. : material.degradation().value(phi);
-        if (mixed)
-          {
-            point.pressure = 0.;
-            for (const unsigned int i : pressure_dofs)
-              point.pressure += local(i) * fe_values.shape_value(i, q);
-            point.response = material.mixed(point.strain,
-                                            point.pressure,
-                                            point.degradation);
-          }
-        else
-          {
-            point.pressure =
-              material.pressure(point.strain, point.degradation);
-            point.response =
-              material.eliminated(point.strain, point.degradation);
-          }
-        point.branch = point.degradation == 1. ?
-                         0 :
-                         material.branch(point.strain, point.pressure);
+        point.pressure = 0.;
+        for (const unsigned int i : pressure_dofs)
+          point.pressure += local(i) * fe_values.shape_value(i, q);
+        point.response =
+          material.mixed(point.strain, point.pressure, point.degradation);
       }
+      else
+      {
+        point.pressure = material.pressure(point.strain, point.degradation);
+        point.response = material.eliminated(point.strain, point.degradation);
+      }
+      point.branch = point.degradation == 1.
+                       ? 0
+                       : material.branch(point.strain, point.pressure);
+    }
   }
 
 
@@ -102,15 +99,15 @@ namespace MixedCracks
   {
     result = 0.;
     for (unsigned int q = 0; q < points.size(); ++q)
-      {
-        const double         weight = fe_values.JxW(q);
-        const Tensor<2, dim> stress = weight * points[q].response.stress;
-        for (const unsigned int i : displacement_dofs)
-          result(i) += stress[components[i]] * fe_values.shape_grad(i, q);
-        for (const unsigned int i : pressure_dofs)
-          result(i) += points[q].response.constraint *
-                       fe_values.shape_value(i, q) * weight;
-      }
+    {
+      const double         weight = fe_values.JxW(q);
+      const Tensor<2, dim> stress = weight * points[q].response.stress;
+      for (const unsigned int i : displacement_dofs)
+        result(i) += stress[components[i]] * fe_values.shape_grad(i, q);
+      for (const unsigned int i : pressure_dofs)
+        result(i) +=
+          points[q].response.constraint * fe_values.shape_value(i, q) * weight;
+    }
   }
 
 
@@ -126,15 +123,15 @@ namespace MixedCracks
                          (weight * strain_of(displacement_dofs[a], q));
     // the tangent derives from an energy, hence is symmetric
     for (unsigned int b = 0; b < displacement_dofs.size(); ++b)
+    {
+      const unsigned int   j = displacement_dofs[b];
+      const Tensor<2, dim> stress(unit_stresses[b]);
+      for (unsigned int a = 0; a <= b; ++a)
       {
-        const unsigned int      j = displacement_dofs[b];
-        const Tensor<2, dim>    stress(unit_stresses[b]);
-        for (unsigned int a = 0; a <= b; ++a)
-          {
-            const unsigned int i = displacement_dofs[a];
-            result(i, j) += stress[components[i]] * fe_values.shape_grad(i, q);
-          }
+        const unsigned int i = displacement_dofs[a];
+        result(i, j) += stress[components[i]] * fe_values.shape_grad(i, q);
       }
+    }
   }
 
 
@@ -147,19 +144,19 @@ namespace MixedCracks
     const double                weight   = fe_values.JxW(q);
     const ElasticResponse<dim> &response = points[q].response;
     for (const unsigned int k : pressure_dofs)
+    {
+      const double shape = weight * fe_values.shape_value(k, q);
+      for (const unsigned int i : displacement_dofs)
       {
-        const double shape = weight * fe_values.shape_value(k, q);
-        for (const unsigned int i : displacement_dofs)
-          {
-            const double divergence =
-              fe_values.shape_grad(i, q)[components[i]] * shape;
-            result(i, k) += response.stress_by_pressure * divergence;
-            result(k, i) += response.constraint_by_trace * divergence;
-          }
-        for (const unsigned int l : pressure_dofs)
-          result(k, l) += response.constraint_by_pressure * shape *
-                          fe_values.shape_value(l, q);
+        const double divergence =
+          fe_values.shape_grad(i, q)[components[i]] * shape;
+        result(i, k) += response.stress_by_pressure * divergence;
+        result(k, i) += response.constraint_by_trace * divergence;
       }
+      for (const unsigned int l : pressure_dofs)
+        result(k, l) +=
+          response.constraint_by_pressure * shape * fe_values.shape_value(l, q);
+    }
   }
 
 
@@ -170,11 +167,11 @@ namespace MixedCracks
   {
     result = 0.;
     for (unsigned int q = 0; q < points.size(); ++q)
-      {
-        displacement_block(q, result);
-        if (mixed)
-          pressure_blocks(q, result);
-      }
+    {
+      displacement_block(q, result);
+      if (mixed)
+        pressure_blocks(q, result);
+    }
     for (unsigned int b = 0; b < displacement_dofs.size(); ++b)
       for (unsigned int a = 0; a < b; ++a)
         result(displacement_dofs[b], displacement_dofs[a]) =
@@ -189,10 +186,9 @@ namespace MixedCracks
   {
     double sum = 0.;
     for (unsigned int q = 0; q < points.size(); ++q)
-      sum += fe_values.JxW(q) *
-             material.elastic_energy(points[q].strain,
-                                     points[q].pressure,
-                                     points[q].degradation);
+      sum += fe_values.JxW(q) * material.elastic_energy(points[q].strain,
+                                                        points[q].pressure,
+                                                        points[q].degradation);
     return sum;
   }
 
@@ -205,10 +201,10 @@ namespace MixedCracks
     std::pair<double, double> result{0., 0.};
     double                    stress = 0., strain = 0.;
     for (unsigned int q = 0; q < points.size(); ++q)
-      {
-        stress += points[q].response.stress.norm() * fe_values.JxW(q);
-        strain += points[q].strain.norm() * fe_values.JxW(q);
-      }
+    {
+      stress += points[q].response.stress.norm() * fe_values.JxW(q);
+      strain += points[q].strain.norm() * fe_values.JxW(q);
+    }
     // a stress times the gradient of a shape function, of the order of 1/h
     double volume = 0.;
     for (unsigned int q = 0; q < points.size(); ++q)
@@ -225,9 +221,8 @@ namespace MixedCracks
   double
   ElasticKernel<dim>::driving_force(const unsigned int q) const
   {
-    return material.driving_force(points[q].strain,
-                                  points[q].pressure,
-                                  points[q].degradation);
+    return material.driving_force(
+      points[q].strain, points[q].pressure, points[q].degradation);
   }
 
 
@@ -239,10 +234,10 @@ namespace MixedCracks
     CellAverages result{{}, 0.};
     double       volume = 0.;
     for (unsigned int q = 0; q < points.size(); ++q)
-      {
-        result.stress += fe_values.JxW(q) * points[q].response.stress;
-        volume += fe_values.JxW(q);
-      }
+    {
+      result.stress += fe_values.JxW(q) * points[q].response.stress;
+      volume += fe_values.JxW(q);
+    }
     result.stress /= volume;
     result.energy_density = energy() / volume;
     return result;

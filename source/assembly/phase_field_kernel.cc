@@ -49,14 +49,14 @@ namespace MixedCracks
                                    const std::vector<double> &driving_force)
   {
     for (unsigned int q = 0; q < points.size(); ++q)
+    {
+      points[q] = {0., Tensor<1, dim>(), driving_force[q]};
+      for (unsigned int i = 0; i < fe_values.dofs_per_cell; ++i)
       {
-        points[q] = {0., Tensor<1, dim>(), driving_force[q]};
-        for (unsigned int i = 0; i < fe_values.dofs_per_cell; ++i)
-          {
-            points[q].phase_field += local(i) * fe_values.shape_value(i, q);
-            points[q].gradient += local(i) * fe_values.shape_grad(i, q);
-          }
+        points[q].phase_field += local(i) * fe_values.shape_value(i, q);
+        points[q].gradient += local(i) * fe_values.shape_grad(i, q);
       }
+    }
   }
 
 
@@ -84,23 +84,23 @@ namespace MixedCracks
   {
     const MaterialDescription &constants = material.description();
     const CrackDensity        &density   = material.crack_density();
-    const double               toughness = constants.critical_energy_release_rate;
-    const double               gradient_factor =
+    const double toughness = constants.critical_energy_release_rate;
+    const double gradient_factor =
       2. * density.gradient_coefficient() * toughness * constants.length_scale;
     result = 0.;
     for (unsigned int q = 0; q < points.size(); ++q)
-      {
-        const double local =
-          0.5 * material.degradation().derivative(points[q].phase_field) *
-            points[q].driving_force +
-          toughness / constants.length_scale *
-            density.local_derivative(points[q].phase_field);
-        for (unsigned int i = 0; i < fe_values.dofs_per_cell; ++i)
-          result(i) += (local * fe_values.shape_value(i, q) +
-                        gradient_factor * (points[q].gradient *
-                                           fe_values.shape_grad(i, q))) *
-                       fe_values.JxW(q);
-      }
+    {
+      const double local =
+        0.5 * material.degradation().derivative(points[q].phase_field) *
+          points[q].driving_force +
+        toughness / constants.length_scale *
+          density.local_derivative(points[q].phase_field);
+      for (unsigned int i = 0; i < fe_values.dofs_per_cell; ++i)
+        result(i) += (local * fe_values.shape_value(i, q) +
+                      gradient_factor *
+                        (points[q].gradient * fe_values.shape_grad(i, q))) *
+                     fe_values.JxW(q);
+    }
   }
 
 
@@ -111,26 +111,25 @@ namespace MixedCracks
   {
     const MaterialDescription &constants = material.description();
     const CrackDensity        &density   = material.crack_density();
-    const double               toughness = constants.critical_energy_release_rate;
-    const double               gradient_factor =
+    const double toughness = constants.critical_energy_release_rate;
+    const double gradient_factor =
       2. * density.gradient_coefficient() * toughness * constants.length_scale;
     result = 0.;
     for (unsigned int q = 0; q < points.size(); ++q)
-      {
-        const double local =
-          0.5 * material.degradation().second_derivative() *
-            points[q].driving_force +
-          toughness / constants.length_scale *
-            density.local_second_derivative(points[q].phase_field);
-        for (unsigned int i = 0; i < fe_values.dofs_per_cell; ++i)
-          for (unsigned int j = 0; j < fe_values.dofs_per_cell; ++j)
-            result(i, j) +=
-              (local * fe_values.shape_value(i, q) *
-                 fe_values.shape_value(j, q) +
-               gradient_factor *
-                 (fe_values.shape_grad(i, q) * fe_values.shape_grad(j, q))) *
-              fe_values.JxW(q);
-      }
+    {
+      const double local =
+        0.5 * material.degradation().second_derivative() *
+          points[q].driving_force +
+        toughness / constants.length_scale *
+          density.local_second_derivative(points[q].phase_field);
+      for (unsigned int i = 0; i < fe_values.dofs_per_cell; ++i)
+        for (unsigned int j = 0; j < fe_values.dofs_per_cell; ++j)
+          result(i, j) +=
+            (local * fe_values.shape_value(i, q) * fe_values.shape_value(j, q) +
+             gradient_factor *
+               (fe_values.shape_grad(i, q) * fe_values.shape_grad(j, q))) *
+            fe_values.JxW(q);
+    }
   }
 
 

@@ -11,18 +11,17 @@ namespace MixedCracks
   case_signature(const dealii::ParameterHandler &prm)
   {
     std::string       text;
-    const std::string free_to_change[] = {"Load stepping",
-                                          "Linear solver",
-                                          "Output"};
+    const std::string free_to_change[] = {
+      "Load stepping", "Linear solver", "Output"};
     const ParameterTree tree(prm);
     for (const ParameterEntry &entry : tree.entries())
-      {
-        bool fixed = true;
-        for (const std::string &subsection : free_to_change)
-          fixed = fixed && entry.path.front() != subsection;
-        if (fixed)
-          text += entry.full_name() + " = " + entry.value + '\n';
-      }
+    {
+      bool fixed = true;
+      for (const std::string &subsection : free_to_change)
+        fixed = fixed && entry.path.front() != subsection;
+      if (fixed)
+        text += entry.full_name() + " = " + entry.value + '\n';
+    }
     return text;
   }
 
@@ -34,14 +33,14 @@ namespace MixedCracks
     std::istringstream old_lines(before), new_lines(now);
     std::string        old_line, new_line;
     while (std::getline(new_lines, new_line))
-      {
-        std::getline(old_lines, old_line);
-        if (old_line != new_line)
-          throw InputError("--resume: the case has changed; the checkpoint was "
-                           "written with '" +
-                           old_line + "', found now '" + new_line +
-                           "'. Allowed to change: entries of Load stepping, "
-                           "Linear solver and Output.");
-      }
+    {
+      std::getline(old_lines, old_line);
+      if (old_line != new_line)
+        throw InputError("--resume: the case has changed; the checkpoint was "
+                         "written with '" +
+                         old_line + "', found now '" + new_line +
+                         "'. Allowed to change: entries of Load stepping, "
+                         "Linear solver and Output.");
+    }
   }
 } // namespace MixedCracks

@@ -15,9 +15,10 @@ namespace MixedCracks
     normalised(const std::string &word)
     {
       std::string text = dealii::Utilities::trim(word);
-      std::transform(text.begin(), text.end(), text.begin(), [](unsigned char c) {
-        return static_cast<char>(std::tolower(c));
-      });
+      std::transform(
+        text.begin(), text.end(), text.begin(), [](unsigned char c) {
+          return static_cast<char>(std::tolower(c));
+        });
       return text;
     }
 
@@ -28,17 +29,17 @@ namespace MixedCracks
       std::vector<unsigned int> row(b.size() + 1);
       std::iota(row.begin(), row.end(), 0U);
       for (std::size_t i = 1; i <= a.size(); ++i)
+      {
+        unsigned int diagonal = row[0];
+        row[0]                = static_cast<unsigned int>(i);
+        for (std::size_t j = 1; j <= b.size(); ++j)
         {
-          unsigned int diagonal = row[0];
-          row[0]                = static_cast<unsigned int>(i);
-          for (std::size_t j = 1; j <= b.size(); ++j)
-            {
-              const unsigned int replaced =
-                diagonal + (a[i - 1] == b[j - 1] ? 0U : 1U);
-              diagonal = row[j];
-              row[j]   = std::min({replaced, row[j] + 1, row[j - 1] + 1});
-            }
+          const unsigned int replaced =
+            diagonal + (a[i - 1] == b[j - 1] ? 0U : 1U);
+          diagonal = row[j];
+          row[j]   = std::min({replaced, row[j] + 1, row[j - 1] + 1});
         }
+      }
       return row.back();
     }
   } // namespace
@@ -55,22 +56,24 @@ namespace MixedCracks
     unsigned int best_distance =
       std::max<unsigned int>(2, static_cast<unsigned int>(wanted.size()) / 2);
     for (const std::string &candidate : candidates)
+    {
+      const unsigned int distance =
+        edit_distance(wanted, normalised(candidate));
+      if (distance < best_distance ||
+          (best.empty() && distance == best_distance))
       {
-        const unsigned int distance =
-          edit_distance(wanted, normalised(candidate));
-        if (distance < best_distance || (best.empty() && distance == best_distance))
-          {
-            best          = candidate;
-            best_distance = distance;
-          }
+        best          = candidate;
+        best_distance = distance;
       }
+    }
     return best;
   }
 
 
 
   std::string
-  join_names(const std::vector<std::string> &names, const std::string &separator)
+  join_names(const std::vector<std::string> &names,
+             const std::string              &separator)
   {
     std::string text;
     for (const std::string &name : names)
@@ -86,8 +89,8 @@ namespace MixedCracks
   {
     const std::string nearest = nearest_name(word, allowed);
     return "unknown '" + word + "'" +
-           (nearest.empty() ? std::string(".") :
-                              "; did you mean '" + nearest + "'?") +
+           (nearest.empty() ? std::string(".")
+                            : "; did you mean '" + nearest + "'?") +
            " Allowed: " + join_names(allowed) + ".";
   }
 } // namespace MixedCracks

@@ -19,14 +19,17 @@ namespace MixedCracks
     , signature(signature)
     , communicator(communicator)
     , log(log)
-    , timer(communicator, std::cout, TimerOutput::never, TimerOutput::wall_times)
+    , timer(communicator,
+            std::cout,
+            TimerOutput::never,
+            TimerOutput::wall_times)
     , triangulation(communicator)
     , fields(triangulation,
              {parameters.model.mixed(), parameters.model.degree()})
-    , constraints(fields,
-                  prescribed_components(parameters,
-                                        dim +
-                                          (parameters.model.mixed() ? 1 : 0)))
+    , constraints(
+        fields,
+        prescribed_components(parameters,
+                              dim + (parameters.model.mixed() ? 1 : 0)))
     , load_control(parameters.load)
     , boundary_quantities(fields,
                           constraints,
@@ -44,21 +47,21 @@ namespace MixedCracks
   Simulation<dim>::run(const ExistingRun existing)
   {
     if (existing == ExistingRun::resume)
-      {
-        resumed = checkpoint.read();
-        require_same_case(resumed->signature, signature);
-      }
+    {
+      resumed = checkpoint.read();
+      require_same_case(resumed->signature, signature);
+    }
     prepare_output(existing);
     preflight();
     set_up_mesh_dependent();
 
     State accepted = resumed ? resumed_state() : initial_state();
     while (!load_control.at_end() && !separated)
-      {
-        const Progress progress = advance(accepted);
-        if (progress != Progress::accepted)
-          return finish(accepted, progress);
-      }
+    {
+      const Progress progress = advance(accepted);
+      if (progress != Progress::accepted)
+        return finish(accepted, progress);
+    }
     return finish(accepted, Progress::accepted);
   }
 
@@ -70,18 +73,18 @@ namespace MixedCracks
   {
     TimerOutput::Scope scope(timer, "setup");
     if (resumed)
-      {
-        parameters.geometry.chosen().create(triangulation);
-        checkpoint.load_mesh(triangulation);
-        cell_size = resumed->cell_size;
-      }
+    {
+      parameters.geometry.chosen().create(triangulation);
+      checkpoint.load_mesh(triangulation);
+      cell_size = resumed->cell_size;
+    }
     else
-      {
-        make_mesh(parameters, triangulation);
-        cell_size = finest_cell_size(triangulation, communicator);
-      }
-    material = std::make_unique<Material<dim>>(describe_material(
-      parameters.model, parameters.material, dim, cell_size));
+    {
+      make_mesh(parameters, triangulation);
+      cell_size = finest_cell_size(triangulation, communicator);
+    }
+    material = std::make_unique<Material<dim>>(
+      describe_material(parameters.model, parameters.material, dim, cell_size));
     fields.distribute();
   }
 
@@ -93,23 +96,23 @@ namespace MixedCracks
   {
     const unsigned int n_components = fields.elastic.get_fe().n_components();
     constraints.reinit();
-    assembler    = std::make_unique<Assembler<dim>>(fields, *material);
-    elastic_step = std::make_unique<ElasticStep<dim>>(
-      fields,
-      constraints,
-      *assembler,
-      make_loads(parameters, n_components),
-      timer);
+    assembler = std::make_unique<Assembler<dim>>(fields, *material);
+    elastic_step =
+      std::make_unique<ElasticStep<dim>>(fields,
+                                         constraints,
+                                         *assembler,
+                                         make_loads(parameters, n_components),
+                                         timer);
     phase_field_step = std::make_unique<PhaseFieldStep<dim>>(
       fields, constraints, *material, *assembler, timer);
-    step_solver =
-      std::make_unique<StepSolver<dim>>(*elastic_step,
-                                        *phase_field_step,
-                                        coupling_options(parameters.model),
-                                        parameters.solver.newton,
-                                        [this]() { return stop_now(); },
-                                        communicator,
-                                        log);
+    step_solver = std::make_unique<StepSolver<dim>>(
+      *elastic_step,
+      *phase_field_step,
+      coupling_options(parameters.model),
+      parameters.solver.newton,
+      [this]() { return stop_now(); },
+      communicator,
+      log);
     const LinearOutcome analysis = elastic_step->reinit();
     if (!analysis.success)
       throw std::runtime_error(analysis.reason);
@@ -133,7 +136,7 @@ namespace MixedCracks
     // named, since a temporary would be moved and take the ghosts away
     const LinearAlgebra::Vector start =
       initial_phase_field(parameters, fields, constraints);
-    state.phase_field = start;
+    state.phase_field          = start;
     state.lagged_phase_field   = state.phase_field;
     state.previous_phase_field = state.phase_field;
 
@@ -172,39 +175,39 @@ namespace MixedCracks
   Simulation<dim>::advance(State &accepted)
   {
     while (true)
+    {
+      if (stop_now())
+        return Progress::interrupted;
+      State trial     = accepted;
+      trial.time      = load_control.target_time();
+      trial.time_step = load_control.step();
+      log.line("");
+      log.line(printed("step %zu: t = %.6g s, dt = %.4g s",
+                       statistics.rows().size(),
+                       trial.time,
+                       trial.time_step));
+      const StepOutcome outcome =
+        solve_step(accepted, trial, load_control.phase_field_bound());
+      if (outcome.interrupted)
+        return Progress::interrupted;
+      switch (load_control.judge(outcome.solved, outcome.phase_field_change))
       {
-        if (stop_now())
-          return Progress::interrupted;
-        State trial     = accepted;
-        trial.time      = load_control.target_time();
-        trial.time_step = load_control.step();
-        log.line("");
-        log.line(printed("step %zu: t = %.6g s, dt = %.4g s",
-                         statistics.rows().size(),
-                         trial.time,
-                         trial.time_step));
-        const StepOutcome outcome =
-          solve_step(accepted, trial, load_control.phase_field_bound());
-        if (outcome.interrupted)
-          return Progress::interrupted;
-        switch (load_control.judge(outcome.solved, outcome.phase_field_change))
-          {
-            case LoadControl::Verdict::accept:
-              trial.previous_phase_field = accepted.phase_field;
-              record(accepted, trial, outcome);
-              accepted = trial;
-              return Progress::accepted;
-            case LoadControl::Verdict::repeat:
-              log.line(outcome.solved ?
-                         printed("  rejected: the phase field changed by %.3g",
-                                 outcome.phase_field_change) :
-                         "  rejected: " + outcome.reason);
-              break;
-            case LoadControl::Verdict::give_up:
-              log.line("  failed at the smallest step: " + outcome.reason);
-              return Progress::failed;
-          }
+        case LoadControl::Verdict::accept:
+          trial.previous_phase_field = accepted.phase_field;
+          record(accepted, trial, outcome);
+          accepted = trial;
+          return Progress::accepted;
+        case LoadControl::Verdict::repeat:
+          log.line(outcome.solved
+                     ? printed("  rejected: the phase field changed by %.3g",
+                               outcome.phase_field_change)
+                     : "  rejected: " + outcome.reason);
+          break;
+        case LoadControl::Verdict::give_up:
+          log.line("  failed at the smallest step: " + outcome.reason);
+          return Progress::failed;
       }
+    }
   }
 
 

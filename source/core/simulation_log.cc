@@ -18,13 +18,13 @@ namespace MixedCracks
     locking_in_words(const ElasticConstants &given, const bool mixed)
     {
       const double ratio = given.lambda / given.mu;
-      std::string  text  = printed("lambda/mu = %.4g, nu = %.5f", ratio,
-                                 given.poisson_ratio());
+      std::string  text =
+        printed("lambda/mu = %.4g, nu = %.5f", ratio, given.poisson_ratio());
       if (ratio < 50.)
         return text + ": compressible enough for either formulation";
       return text + (mixed ? ": nearly incompressible, handled by the mixed "
-                             "formulation" :
-                             ": nearly incompressible; the displacement "
+                             "formulation"
+                           : ": nearly incompressible; the displacement "
                              "formulation locks");
     }
   } // namespace
@@ -37,11 +37,10 @@ namespace MixedCracks
   {
     const ModelParameters     &model     = parameters.model;
     const MaterialDescription &constants = material->description();
-    case_in_words =
-      parameters.geometry.name_of_chosen() + ", " + model.formulation + ", " +
-      model.kinematics + ", " + model.crack_density + ", split " +
-      model.energy_split + ", " + model.pressure_law + ", coupling " +
-      model.coupling;
+    case_in_words = parameters.geometry.name_of_chosen() + ", " +
+                    model.formulation + ", " + model.kinematics + ", " +
+                    model.crack_density + ", split " + model.energy_split +
+                    ", " + model.pressure_law + ", coupling " + model.coupling;
     log.line(std::string("mixed-cracks ") + MIXED_CRACKS_VERSION +
              ", revision " + MIXED_CRACKS_REVISION + ", deal.II " +
              DEAL_II_PACKAGE_VERSION);
@@ -71,7 +70,7 @@ namespace MixedCracks
   void
   Simulation<dim>::collect_warnings()
   {
-    const MaterialDescription &constants = material->description();
+    const MaterialDescription &constants  = material->description();
     const double               resolution = constants.length_scale / cell_size;
     if (resolution < 2. * (1. - 1e-6))
       warnings.push_back(printed(
@@ -151,9 +150,9 @@ namespace MixedCracks
                      peak.force_size(),
                      peak.displacement,
                      last.force_size(),
-                     peak.force_size() > 0. ?
-                       100. * last.force_size() / peak.force_size() :
-                       0.,
+                     peak.force_size() > 0.
+                       ? 100. * last.force_size() / peak.force_size()
+                       : 0.,
                      last.displacement));
     log.line(printed("steps %u, rejected %u, factorisations %u, solves %u, "
                      "%.1f s",

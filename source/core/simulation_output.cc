@@ -18,13 +18,13 @@ namespace MixedCracks
     statistics.open(directory + "/statistics.csv", dim);
     std::string message;
     if (Utilities::MPI::this_mpi_process(communicator) == 0)
-      {
-        std::ofstream file(directory + "/parameters.prm");
-        file << effective_parameters << std::flush;
-        if (!file)
-          message = "Output/Directory: '" + directory +
-                    "/parameters.prm' cannot be written.";
-      }
+    {
+      std::ofstream file(directory + "/parameters.prm");
+      file << effective_parameters << std::flush;
+      if (!file)
+        message = "Output/Directory: '" + directory +
+                  "/parameters.prm' cannot be written.";
+    }
     throw_on_all_ranks(message, communicator);
   }
 
@@ -45,21 +45,20 @@ namespace MixedCracks
     const Tensor<1, dim> force = boundary_quantities.force(state.reaction);
     for (unsigned int d = 0; d < dim; ++d)
       row.force[d] = thickness * force[d];
-    const Energies energies = assembler->energies(state.elastic,
-                                                  state.lagged_phase_field,
-                                                  state.phase_field);
-    row.elastic_energy      = thickness * energies.elastic;
-    row.crack_energy        = thickness * energies.crack;
+    const Energies energies = assembler->energies(
+      state.elastic, state.lagged_phase_field, state.phase_field);
+    row.elastic_energy = thickness * energies.elastic;
+    row.crack_energy   = thickness * energies.crack;
     external_work += thickness * elastic_step->external_work(before, state);
-    row.external_work      = external_work;
-    row.min_phase_field    = smallest_phase_field(state);
-    row.phase_field_change = outcome.phase_field_change;
-    row.newton_iterations  = outcome.newton_iterations;
-    row.linear_iterations  = outcome.linear_iterations;
-    row.active_set_size    = outcome.active_set_size;
-    row.cells              = triangulation.n_global_active_cells();
-    row.dofs               = fields.n_dofs();
-    row.wall_time          = wall_clock.wall_time();
+    row.external_work       = external_work;
+    row.min_phase_field     = smallest_phase_field(state);
+    row.phase_field_change  = outcome.phase_field_change;
+    row.newton_iterations   = outcome.newton_iterations;
+    row.linear_iterations   = outcome.linear_iterations;
+    row.active_set_size     = outcome.active_set_size;
+    row.cells               = triangulation.n_global_active_cells();
+    row.dofs                = fields.n_dofs();
+    row.wall_time           = wall_clock.wall_time();
     row.coupling_iterations = outcome.coupling_iterations;
     row.coupling_change     = outcome.coupling_change;
     row.factorizations      = elastic_step->counts().factorizations;
@@ -68,10 +67,10 @@ namespace MixedCracks
     log_step(row);
 
     if (row.force_size() > load_control.peak_force())
-      {
-        peak_state = state;
-        peak_step  = row.step;
-      }
+    {
+      peak_state = state;
+      peak_step  = row.step;
+    }
     separated = load_control.is_separated(row.force_size());
     write_fields_when_due(state);
     const unsigned int every = parameters.output.checkpoint_every;
@@ -132,10 +131,10 @@ namespace MixedCracks
       write_fields(last, last_step);
     RunOutcome outcome;
     if (progress == Progress::interrupted)
-      {
-        write_checkpoint(last);
-        outcome = {5, "stopped on request; continue with --resume"};
-      }
+    {
+      write_checkpoint(last);
+      outcome = {5, "stopped on request; continue with --resume"};
+    }
     else if (progress == Progress::failed)
       outcome = {3,
                  "the smallest load step failed; the last accepted state is "
@@ -190,13 +189,12 @@ namespace MixedCracks
 
 
 
-  template void   Simulation<2>::prepare_output(ExistingRun);
-  template void   Simulation<2>::record(const State &,
-                                      const State &,
-                                      const StepOutcome &);
-  template double Simulation<2>::smallest_phase_field(const State &) const;
-  template void   Simulation<2>::write_fields_when_due(const State &);
-  template void   Simulation<2>::write_fields(const State &, unsigned int);
+  template void Simulation<2>::prepare_output(ExistingRun);
+  template void
+  Simulation<2>::record(const State &, const State &, const StepOutcome &);
+  template double     Simulation<2>::smallest_phase_field(const State &) const;
+  template void       Simulation<2>::write_fields_when_due(const State &);
+  template void       Simulation<2>::write_fields(const State &, unsigned int);
   template RunOutcome Simulation<2>::finish(const State &, Progress);
   template Summary    Simulation<2>::summarize(const RunOutcome &);
 } // namespace MixedCracks

@@ -52,9 +52,8 @@ namespace MixedCracks
     checkpoint.load_fields(fields, state);
     state.time      = resumed->time;
     state.time_step = resumed->time_step;
-    load_control.restore(resumed->time,
-                         resumed->next_step,
-                         resumed->peak_force);
+    load_control.restore(
+      resumed->time, resumed->next_step, resumed->peak_force);
     external_work = resumed->external_work;
     peak_step     = resumed->peak_step;
     peak_state    = state;

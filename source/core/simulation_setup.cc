@@ -15,15 +15,15 @@ namespace MixedCracks
 
   template <int dim>
   void
-  make_mesh(const Parameters<dim> &parameters, Triangulation<dim> &triangulation)
+  make_mesh(const Parameters<dim> &parameters,
+            Triangulation<dim>    &triangulation)
   {
     parameters.geometry.chosen().create(triangulation);
     std::vector<RefinementBox<dim>> boxes;
     for (const RefinedBox<dim> &box : parameters.mesh.refined_boxes())
       boxes.push_back({BoundingBox<dim>({box.lower, box.upper}), box.levels});
-    refine_globally_and_in_boxes(triangulation,
-                                 parameters.mesh.global_refinements,
-                                 boxes);
+    refine_globally_and_in_boxes(
+      triangulation, parameters.mesh.global_refinements, boxes);
   }
 
 
@@ -38,10 +38,10 @@ namespace MixedCracks
     std::vector<double> sums(2, 0.);
     for (const auto &cell : triangulation.active_cell_iterators())
       if (cell->is_locally_owned() && cell->level() == finest - 1)
-        {
-          sums[0] += std::pow(cell->measure(), 1. / dim);
-          sums[1] += 1.;
-        }
+      {
+        sums[0] += std::pow(cell->measure(), 1. / dim);
+        sums[1] += 1.;
+      }
     Utilities::MPI::sum(sums, communicator, sums);
     return sums[0] / sums[1];
   }
@@ -57,12 +57,11 @@ namespace MixedCracks
     std::vector<PrescribedComponent<dim>> result;
     for (const auto &entry : parameters.boundary_conditions.displacements())
       if (entry.component < dim)
-        {
-          auto value =
-            std::make_shared<ExpressionFunction<dim>>(n_components);
-          value->set(entry.component, entry.expression);
-          result.push_back({ids.at(entry.boundary), entry.component, value});
-        }
+      {
+        auto value = std::make_shared<ExpressionFunction<dim>>(n_components);
+        value->set(entry.component, entry.expression);
+        result.push_back({ids.at(entry.boundary), entry.component, value});
+      }
     return result;
   }
 
@@ -94,13 +93,12 @@ namespace MixedCracks
       for (const auto &cell : fields.phase_field.active_cell_iterators())
         if (!cell->is_artificial())
           for (const unsigned int v : cell->vertex_indices())
-            {
-              const auto dof = cell->vertex_dof_index(v, 0);
-              if (fields.phase_field_dofs.owned.is_element(dof))
-                body(dof,
-                     cell->vertex(v),
-                     cell->diameter() / std::sqrt(1. * dim));
-            }
+          {
+            const auto dof = cell->vertex_dof_index(v, 0);
+            if (fields.phase_field_dofs.owned.is_element(dof))
+              body(
+                dof, cell->vertex(v), cell->diameter() / std::sqrt(1. * dim));
+          }
     }
   } // namespace
 
@@ -112,8 +110,8 @@ namespace MixedCracks
                       const Fields<dim>      &fields,
                       const Constraints<dim> &constraints)
   {
-    const auto slits  = parameters.geometry.chosen().slits();
-    const auto cracks = parameters.initial_cracks.segments();
+    const auto            slits  = parameters.geometry.chosen().slits();
+    const auto            cracks = parameters.initial_cracks.segments();
     LinearAlgebra::Vector values = fields.owned_vector(fields.phase_field_dofs);
     values                       = 1.;
     for_each_node(fields,
@@ -165,10 +163,10 @@ namespace MixedCracks
                       const double                  size) {
                     for (const Segment<dim> &face : faces)
                       if (distance(position, face) <= margin + 1e-6 * size)
-                        {
-                          frozen.add_index(dof);
-                          return;
-                        }
+                      {
+                        frozen.add_index(dof);
+                        return;
+                      }
                   });
     return frozen;
   }
@@ -186,16 +184,16 @@ namespace MixedCracks
     together(fields.communicator(), [&]() {
       for (const auto &entry : parameters.boundary_conditions.displacements())
         if (entry.component == dim)
-          {
-            ExpressionFunction<dim> value(1);
-            value.set(0, entry.expression);
-            value.set_time(time);
-            VectorTools::interpolate_boundary_values(fields.mapping,
-                                                     fields.phase_field,
-                                                     ids.at(entry.boundary),
-                                                     value,
-                                                     all);
-          }
+        {
+          ExpressionFunction<dim> value(1);
+          value.set(0, entry.expression);
+          value.set_time(time);
+          VectorTools::interpolate_boundary_values(fields.mapping,
+                                                   fields.phase_field,
+                                                   ids.at(entry.boundary),
+                                                   value,
+                                                   all);
+        }
     });
     for (const auto &[dof, value] : all)
       if (fields.phase_field_dofs.owned.is_element(dof))
@@ -209,32 +207,30 @@ namespace MixedCracks
   coupling_options(const ModelParameters &model)
   {
     CouplingOptions options;
-    options.kind = model.coupling == "time-lagged" ?
-                     CouplingOptions::Kind::time_lagged :
-                   model.coupling == "extrapolated" ?
-                     CouplingOptions::Kind::extrapolated :
-                     CouplingOptions::Kind::iterated;
-    options.tolerance       = model.coupling_tolerance;
-    options.over_relaxation = model.over_relaxation;
+    options.kind =
+      model.coupling == "time-lagged"    ? CouplingOptions::Kind::time_lagged
+      : model.coupling == "extrapolated" ? CouplingOptions::Kind::extrapolated
+                                         : CouplingOptions::Kind::iterated;
+    options.tolerance            = model.coupling_tolerance;
+    options.over_relaxation      = model.over_relaxation;
     options.largest_acceleration = model.acceleration;
-    options.max_iterations  = model.max_iterations;
+    options.max_iterations       = model.max_iterations;
     return options;
   }
 
 
 
-#define INSTANTIATE(dim)                                                       \
-  template void make_mesh(const Parameters<dim> &, Triangulation<dim> &);      \
-  template double finest_cell_size(const Triangulation<dim> &, MPI_Comm);      \
-  template std::vector<PrescribedComponent<dim>> prescribed_components(        \
-    const Parameters<dim> &, unsigned int);                                    \
-  template Loads<dim>            make_loads(const Parameters<dim> &,           \
-                                            unsigned int);                     \
-  template LinearAlgebra::Vector initial_phase_field(                          \
-    const Parameters<dim> &, const Fields<dim> &, const Constraints<dim> &);   \
-  template IndexSet unbreakable_nodes(const Parameters<dim> &,                 \
-                                      const Fields<dim> &);                    \
-  template std::map<types::global_dof_index, double> prescribed_phase_field(   \
+#define INSTANTIATE(dim)                                                     \
+  template void   make_mesh(const Parameters<dim> &, Triangulation<dim> &);  \
+  template double finest_cell_size(const Triangulation<dim> &, MPI_Comm);    \
+  template std::vector<PrescribedComponent<dim>> prescribed_components(      \
+    const Parameters<dim> &, unsigned int);                                  \
+  template Loads<dim> make_loads(const Parameters<dim> &, unsigned int);     \
+  template LinearAlgebra::Vector initial_phase_field(                        \
+    const Parameters<dim> &, const Fields<dim> &, const Constraints<dim> &); \
+  template IndexSet unbreakable_nodes(const Parameters<dim> &,               \
+                                      const Fields<dim> &);                  \
+  template std::map<types::global_dof_index, double> prescribed_phase_field( \
     const Parameters<dim> &, const Fields<dim> &, double);
   INSTANTIATE(2)
 #undef INSTANTIATE

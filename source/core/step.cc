@@ -21,14 +21,14 @@ namespace MixedCracks
     double
     largest_difference(const Vector &a, const Vector &b, const bool modulus)
     {
-      double      largest = 0.;
-      const auto  owned   = a.locally_owned_elements();
+      double     largest = 0.;
+      const auto owned   = a.locally_owned_elements();
       for (const auto i : owned)
-        {
-          const double difference = a(i) - b(i);
-          largest =
-            std::max(largest, modulus ? std::abs(difference) : difference);
-        }
+      {
+        const double difference = a(i) - b(i);
+        largest =
+          std::max(largest, modulus ? std::abs(difference) : difference);
+      }
       return Utilities::MPI::max(largest, a.get_mpi_communicator());
     }
 
@@ -106,9 +106,8 @@ namespace MixedCracks
     if (size == 0.)
       return options.over_relaxation;
     const double factor = last_factor * (last_difference * change) / size;
-    return std::clamp(factor,
-                      options.over_relaxation,
-                      options.largest_acceleration);
+    return std::clamp(
+      factor, options.over_relaxation, options.largest_acceleration);
   }
 
 
@@ -212,48 +211,46 @@ namespace MixedCracks
 
     StepOutcome outcome;
     while (true)
+    {
+      const NewtonOutcome newton = solve_elastic(outcome, trial);
+      outcome.newton_iterations += newton.iterations;
+      outcome.linear_iterations += newton.linear_iterations;
+      if (!newton.converged)
       {
-        const NewtonOutcome newton = solve_elastic(outcome, trial);
-        outcome.newton_iterations += newton.iterations;
-        outcome.linear_iterations += newton.linear_iterations;
-        if (!newton.converged)
-          {
-            outcome.reason = newton.reason;
-            return outcome;
-          }
-        const ActiveSetOutcome active_set =
-          solve_phase_field(accepted, fixed, trial, outcome);
-        log_iteration(outcome.coupling_iterations,
-                      newton,
-                      active_set,
-                      outcome.coupling_change);
-        if (!active_set.converged)
-          {
-            outcome.reason = active_set.reason;
-            return outcome;
-          }
-        const bool settled =
-          outcome.coupling_change < options.tolerance &&
-          newton.last.largest() <= newton_options.tolerance;
-        if (!iterated || settled || outcome.phase_field_change > bound)
-          break;
-        if (outcome.coupling_iterations >= options.max_iterations)
-          {
-            outcome.reason = "the iterated coupling did not settle within " +
-                             std::to_string(options.max_iterations) +
-                             " iterations";
-            return outcome;
-          }
-        if (stop_requested())
-          {
-            outcome.interrupted = true;
-            return outcome;
-          }
-        // a settled phase field stays, for displacements that are not
-        // accurate enough yet
-        if (!(outcome.coupling_change < options.tolerance))
-          advance_lagged_field(accepted, trial);
+        outcome.reason = newton.reason;
+        return outcome;
       }
+      const ActiveSetOutcome active_set =
+        solve_phase_field(accepted, fixed, trial, outcome);
+      log_iteration(outcome.coupling_iterations,
+                    newton,
+                    active_set,
+                    outcome.coupling_change);
+      if (!active_set.converged)
+      {
+        outcome.reason = active_set.reason;
+        return outcome;
+      }
+      const bool settled = outcome.coupling_change < options.tolerance &&
+                           newton.last.largest() <= newton_options.tolerance;
+      if (!iterated || settled || outcome.phase_field_change > bound)
+        break;
+      if (outcome.coupling_iterations >= options.max_iterations)
+      {
+        outcome.reason = "the iterated coupling did not settle within " +
+                         std::to_string(options.max_iterations) + " iterations";
+        return outcome;
+      }
+      if (stop_requested())
+      {
+        outcome.interrupted = true;
+        return outcome;
+      }
+      // a settled phase field stays, for displacements that are not
+      // accurate enough yet
+      if (!(outcome.coupling_change < options.tolerance))
+        advance_lagged_field(accepted, trial);
+    }
     outcome.solved = true;
     return outcome;
   }

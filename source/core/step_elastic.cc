@@ -13,7 +13,7 @@ namespace MixedCracks
     // Factors are used for a matrix whose degradation differs by this much at
     // most: Newton's method then needs another cheap solve or two instead of
     // a factorisation.
-    constexpr double largest_degradation_change = 0.1;
+    constexpr double largest_degradation_change = 0.5;
 
     double
     relative(const double size, const double scale)
@@ -46,10 +46,8 @@ namespace MixedCracks
     TimerOutput::Scope scope(timer, "setup");
     assembler.reinit();
     const DofSets                 &dofs = fields.elastic_dofs;
-    LinearAlgebra::SparsityPattern pattern(dofs.owned,
-                                           dofs.owned,
-                                           dofs.relevant,
-                                           fields.communicator());
+    LinearAlgebra::SparsityPattern pattern(
+      dofs.owned, dofs.owned, dofs.relevant, fields.communicator());
     DoFTools::make_sparsity_pattern(
       fields.elastic,
       pattern,
@@ -63,13 +61,13 @@ namespace MixedCracks
       vector->reinit(dofs.owned, fields.communicator());
     pressure_dofs.assign(dofs.owned.n_elements(), false);
     if (fields.layout.mixed)
-      {
-        const IndexSet pressure = DoFTools::extract_dofs(
-          fields.elastic,
-          fields.elastic.get_fe().component_mask(fields.pressure));
-        for (const auto dof : pressure)
-          pressure_dofs[dofs.owned.index_within_set(dof)] = true;
-      }
+    {
+      const IndexSet pressure = DoFTools::extract_dofs(
+        fields.elastic,
+        fields.elastic.get_fe().component_mask(fields.pressure));
+      for (const auto dof : pressure)
+        pressure_dofs[dofs.owned.index_within_set(dof)] = true;
+    }
     return solver.initialize(matrix);
   }
 
@@ -86,10 +84,10 @@ namespace MixedCracks
       loads.body_force->set_time(time);
     std::map<types::boundary_id, const Function<dim> *> tractions;
     for (const auto &[boundary, function] : loads.tractions)
-      {
-        function->set_time(time);
-        tractions[boundary] = function.get();
-      }
+    {
+      function->set_time(time);
+      tractions[boundary] = function.get();
+    }
     assembler.external_forces(loads.body_force.get(),
                               tractions,
                               constraints.elastic_hanging_nodes(),
@@ -110,23 +108,21 @@ namespace MixedCracks
     const Vector forces_before = external_forces(accepted.time);
     Vector       forces_after  = external_forces(trial.time);
 
-    const double size  = before * before + forces_before * forces_before;
-    const double ratio = size > 0. ?
-                           (before * after + forces_before * forces_after) /
-                             size :
-                           0.;
-    Vector       start(after);
+    const double size = before * before + forces_before * forces_before;
+    const double ratio =
+      size > 0. ? (before * after + forces_before * forces_after) / size : 0.;
+    Vector start(after);
     start = accepted.elastic;
     if (size > 0.)
-      {
-        Vector difference(after);
-        difference.add(-ratio, before);
-        forces_after.add(-ratio, forces_before);
-        const double error =
-          difference * difference + forces_after * forces_after;
-        if (error <= 1e-24 * ratio * ratio * size)
-          start *= ratio;
-      }
+    {
+      Vector difference(after);
+      difference.add(-ratio, before);
+      forces_after.add(-ratio, forces_before);
+      const double error =
+        difference * difference + forces_after * forces_after;
+      if (error <= 1e-24 * ratio * ratio * size)
+        start *= ratio;
+    }
     constraints.apply_prescribed(trial.time, start);
     trial.elastic = start;
   }
@@ -215,8 +211,7 @@ namespace MixedCracks
 
   template <int dim>
   double
-  ElasticStep<dim>::external_work(const State &before,
-                                  const State &after) const
+  ElasticStep<dim>::external_work(const State &before, const State &after) const
   {
     Vector increment = fields.owned_vector(fields.elastic_dofs);
     Vector old       = increment;

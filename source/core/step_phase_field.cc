@@ -20,8 +20,8 @@ namespace MixedCracks
     {
       const MaterialDescription &constants = material.description();
       ActiveSetOptions           options;
-      options.weight = 10. * constants.critical_energy_release_rate /
-                       constants.length_scale;
+      options.weight =
+        10. * constants.critical_energy_release_rate / constants.length_scale;
       return options;
     }
 
@@ -61,13 +61,11 @@ namespace MixedCracks
   void
   PhaseFieldStep<dim>::reinit()
   {
-    TimerOutput::Scope             scope(timer, "setup");
-    const DofSets                 &dofs    = fields.phase_field_dofs;
-    const auto                    &hanging = constraints.phase_field_hanging_nodes();
-    LinearAlgebra::SparsityPattern pattern(dofs.owned,
-                                           dofs.owned,
-                                           dofs.relevant,
-                                           fields.communicator());
+    TimerOutput::Scope scope(timer, "setup");
+    const DofSets     &dofs    = fields.phase_field_dofs;
+    const auto        &hanging = constraints.phase_field_hanging_nodes();
+    LinearAlgebra::SparsityPattern pattern(
+      dofs.owned, dofs.owned, dofs.relevant, fields.communicator());
     DoFTools::make_sparsity_pattern(
       fields.phase_field,
       pattern,
@@ -113,41 +111,39 @@ namespace MixedCracks
   {
     TimerOutput::Scope scope(timer, "phase field");
     set_bounds(accepted, fixed);
-    iterate = trial.phase_field;
+    iterate                      = trial.phase_field;
     const auto          &hanging = constraints.phase_field_hanging_nodes();
     const BoundedProblem problem{matrix, lower, upper, mass, constrained};
     ActiveSetOutcome     total;
     for (unsigned int i = 0; i < max_newton_iterations; ++i)
-      {
-        assembler.phase_field_system(trial.elastic,
-                                     trial.lagged_phase_field,
-                                     trial.phase_field,
-                                     hanging,
-                                     residual,
-                                     &matrix);
-        const ActiveSetOutcome outcome =
-          solver.solve(problem, iterate, residual);
-        hanging.distribute(iterate);
-        trial.phase_field = iterate;
+    {
+      assembler.phase_field_system(trial.elastic,
+                                   trial.lagged_phase_field,
+                                   trial.phase_field,
+                                   hanging,
+                                   residual,
+                                   &matrix);
+      const ActiveSetOutcome outcome = solver.solve(problem, iterate, residual);
+      hanging.distribute(iterate);
+      trial.phase_field = iterate;
 
-        const unsigned int earlier_iterations = total.iterations;
-        const unsigned int earlier_linear     = total.linear_iterations;
-        const unsigned int earlier_descents   = total.descents;
-        const auto         earlier_changes    = total.n_changes;
-        total                                 = outcome;
-        total.iterations += earlier_iterations;
-        total.linear_iterations += earlier_linear;
-        total.descents += earlier_descents;
-        total.n_changes += earlier_changes;
-        // an active set that stays as it was found has nothing left to solve
-        if (!outcome.converged || is_quadratic ||
-            (i > 0 && outcome.n_changes == 0 && outcome.iterations <= 1))
-          return total;
-      }
+      const unsigned int earlier_iterations = total.iterations;
+      const unsigned int earlier_linear     = total.linear_iterations;
+      const unsigned int earlier_descents   = total.descents;
+      const auto         earlier_changes    = total.n_changes;
+      total                                 = outcome;
+      total.iterations += earlier_iterations;
+      total.linear_iterations += earlier_linear;
+      total.descents += earlier_descents;
+      total.n_changes += earlier_changes;
+      // an active set that stays as it was found has nothing left to solve
+      if (!outcome.converged || is_quadratic ||
+          (i > 0 && outcome.n_changes == 0 && outcome.iterations <= 1))
+        return total;
+    }
     total.converged = false;
     total.reason    = "no convergence of the phase field within " +
-                   std::to_string(max_newton_iterations) +
-                   " Newton iterations";
+                   std::to_string(max_newton_iterations) + " Newton iterations";
     return total;
   }
 

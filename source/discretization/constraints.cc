@@ -35,13 +35,11 @@ namespace MixedCracks
   void
   Constraints<dim>::reinit()
   {
-    Compat::reinit(elastic_hanging,
-                   fields.elastic_dofs.owned,
-                   fields.elastic_dofs.relevant);
+    Compat::reinit(
+      elastic_hanging, fields.elastic_dofs.owned, fields.elastic_dofs.relevant);
     DoFTools::make_hanging_node_constraints(fields.elastic, elastic_hanging);
-    Compat::reinit(elastic_newton,
-                   fields.elastic_dofs.owned,
-                   fields.elastic_dofs.relevant);
+    Compat::reinit(
+      elastic_newton, fields.elastic_dofs.owned, fields.elastic_dofs.relevant);
     elastic_newton.merge(elastic_hanging);
     Compat::reinit(phase_field_hanging,
                    fields.phase_field_dofs.owned,
@@ -52,15 +50,13 @@ namespace MixedCracks
     prescribed_dofs.clear();
     prescribed_dofs.set_size(fields.elastic.n_dofs());
     for (const PrescribedComponent<dim> &entry : prescribed)
-      {
-        const ComponentMask mask(mask_of(entry));
-        DoFTools::make_zero_boundary_constraints(fields.elastic,
-                                                 entry.boundary,
-                                                 elastic_newton,
-                                                 mask);
-        prescribed_dofs.add_indices(DoFTools::extract_boundary_dofs(
-          fields.elastic, mask, std::set<types::boundary_id>{entry.boundary}));
-      }
+    {
+      const ComponentMask mask(mask_of(entry));
+      DoFTools::make_zero_boundary_constraints(
+        fields.elastic, entry.boundary, elastic_newton, mask);
+      prescribed_dofs.add_indices(DoFTools::extract_boundary_dofs(
+        fields.elastic, mask, std::set<types::boundary_id>{entry.boundary}));
+    }
     prescribed_dofs = prescribed_dofs & fields.elastic_dofs.owned;
 
     elastic_hanging.close();
@@ -78,7 +74,8 @@ namespace MixedCracks
     // where two boundaries meet, the one named first in the .prm decides
     std::map<types::global_dof_index, double> values;
     together(fields.communicator(), [&]() {
-    for (auto entry = prescribed.rbegin(); entry != prescribed.rend(); ++entry)
+      for (auto entry = prescribed.rbegin(); entry != prescribed.rend();
+           ++entry)
       {
         entry->value->set_time(time);
         VectorTools::interpolate_boundary_values(fields.mapping,

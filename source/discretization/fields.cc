@@ -17,7 +17,8 @@ namespace MixedCracks
     {
       const dealii::FE_Q<dim> displacement(layout.displacement_degree);
       if (layout.mixed)
-        return dealii::FESystem<dim>(displacement, dim, dealii::FE_Q<dim>(1), 1);
+        return dealii::FESystem<dim>(
+          displacement, dim, dealii::FE_Q<dim>(1), 1);
       return dealii::FESystem<dim>(displacement, dim);
     }
 

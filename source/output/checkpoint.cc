@@ -112,21 +112,21 @@ namespace MixedCracks
                          const Fields<dim>   &fields,
                          const Triangulation &triangulation) const
   {
-    const bool  first      = Utilities::MPI::this_mpi_process(communicator) == 0;
+    const bool  first = Utilities::MPI::this_mpi_process(communicator) == 0;
     int         generation = 0;
     std::string message;
     if (first)
       try
-        {
-          generation = step_of(0) < step_of(1) ? 0 : 1;
-          fs::remove_all(generation_directory(generation));
-          fs::create_directories(generation_directory(generation));
-        }
+      {
+        generation = step_of(0) < step_of(1) ? 0 : 1;
+        fs::remove_all(generation_directory(generation));
+        fs::create_directories(generation_directory(generation));
+      }
       catch (const std::exception &error)
-        {
-          message = std::string("the checkpoint cannot be written: ") +
-                    error.what();
-        }
+      {
+        message =
+          std::string("the checkpoint cannot be written: ") + error.what();
+      }
     throw_on_all_ranks(message, communicator);
     generation = Utilities::MPI::broadcast(communicator, generation, 0);
 
@@ -141,19 +141,19 @@ namespace MixedCracks
     MPI_Barrier(communicator);
     if (first)
       try
+      {
         {
-          {
-            std::ofstream file(generation_directory(generation) + '/' +
-                               record_name);
-            write_record(file, record);
-          }
-          seal(generation_directory(generation), record.rows.back().step);
+          std::ofstream file(generation_directory(generation) + '/' +
+                             record_name);
+          write_record(file, record);
         }
+        seal(generation_directory(generation), record.rows.back().step);
+      }
       catch (const std::exception &error)
-        {
-          message = std::string("the checkpoint cannot be written: ") +
-                    error.what();
-        }
+      {
+        message =
+          std::string("the checkpoint cannot be written: ") + error.what();
+      }
     throw_on_all_ranks(message, communicator);
   }
 
@@ -165,22 +165,20 @@ namespace MixedCracks
   {
     std::string text, message;
     if (Utilities::MPI::this_mpi_process(communicator) == 0)
-      {
-        const int steps[] = {fs::exists(generation_directory(0)) ? step_of(0) :
-                                                                   -1,
-                             fs::exists(generation_directory(1)) ? step_of(1) :
-                                                                   -1};
-        chosen            = steps[1] > steps[0] ? 1 : 0;
-        if (steps[chosen] < 0)
-          message = "--resume: there is no whole checkpoint in '" + directory +
-                    "'. Allowed: the output directory of a run that wrote one "
-                    "(Output/Checkpoint every).";
-        std::ifstream      file(generation_directory(chosen) + '/' +
-                           record_name);
-        std::ostringstream all;
-        all << file.rdbuf();
-        text = all.str();
-      }
+    {
+      const int steps[] = {
+        fs::exists(generation_directory(0)) ? step_of(0) : -1,
+        fs::exists(generation_directory(1)) ? step_of(1) : -1};
+      chosen = steps[1] > steps[0] ? 1 : 0;
+      if (steps[chosen] < 0)
+        message = "--resume: there is no whole checkpoint in '" + directory +
+                  "'. Allowed: the output directory of a run that wrote one "
+                  "(Output/Checkpoint every).";
+      std::ifstream      file(generation_directory(chosen) + '/' + record_name);
+      std::ostringstream all;
+      all << file.rdbuf();
+      text = all.str();
+    }
     throw_on_all_ranks(message, communicator);
     chosen = Utilities::MPI::broadcast(communicator, chosen, 0);
     std::istringstream in(Utilities::MPI::broadcast(communicator, text, 0));
@@ -207,8 +205,8 @@ namespace MixedCracks
     Vector phase_field = fields.owned_vector(fields.phase_field_dofs);
     Vector lagged = phase_field, previous = phase_field;
     // in the order in which they were written
-    Transfer<dim> elastic_transfer(fields.elastic);
-    Transfer<dim> phase_field_transfer(fields.phase_field);
+    Transfer<dim>         elastic_transfer(fields.elastic);
+    Transfer<dim>         phase_field_transfer(fields.phase_field);
     std::vector<Vector *> on_elastic     = {&elastic, &reaction};
     std::vector<Vector *> on_phase_field = {&phase_field, &lagged, &previous};
     elastic_transfer.deserialize(on_elastic);

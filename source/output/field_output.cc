@@ -26,10 +26,10 @@ namespace MixedCracks
       std::vector<Kind>        kinds(
         dim, DataComponentInterpretation::component_is_part_of_vector);
       if (fields.layout.mixed)
-        {
-          names.emplace_back("pressure");
-          kinds.push_back(DataComponentInterpretation::component_is_scalar);
-        }
+      {
+        names.emplace_back("pressure");
+        kinds.push_back(DataComponentInterpretation::component_is_scalar);
+      }
       data_out.add_data_vector(fields.elastic, solution, names, kinds);
     }
   } // namespace
@@ -47,10 +47,9 @@ namespace MixedCracks
 
   template <int dim>
   void
-  FieldOutput<dim>::write(
-    const State                                &state,
-    const unsigned int                          step,
-    const std::map<std::string, Vector<float>> &cell_data)
+  FieldOutput<dim>::write(const State                                &state,
+                          const unsigned int                          step,
+                          const std::map<std::string, Vector<float>> &cell_data)
   {
     if (!steps.insert(step).second)
       return;
@@ -63,33 +62,31 @@ namespace MixedCracks
     data_out.set_flags(flags);
     data_out.attach_triangulation(triangulation);
     add_elastic_fields(fields, state.elastic, data_out);
-    data_out.add_data_vector(fields.phase_field,
-                             state.phase_field,
-                             "phase_field");
+    data_out.add_data_vector(
+      fields.phase_field, state.phase_field, "phase_field");
     for (const auto &[name, values] : cell_data)
       data_out.add_data_vector(values, name, DataOut<dim>::type_cell_data);
     Vector<float> subdomain(triangulation.n_active_cells());
     subdomain = static_cast<float>(triangulation.locally_owned_subdomain());
-    data_out.add_data_vector(subdomain,
-                             "subdomain",
-                             DataOut<dim>::type_cell_data);
+    data_out.add_data_vector(
+      subdomain, "subdomain", DataOut<dim>::type_cell_data);
     data_out.build_patches(fields.mapping);
 
     std::string message, name;
     try
-      {
-        // one file for each rank: needs no parallel file system
-        name = data_out.write_vtu_with_pvtu_record(
-          directory + "/fields/", "fields", step, fields.communicator(), 5, 0);
-      }
+    {
+      // one file for each rank: needs no parallel file system
+      name = data_out.write_vtu_with_pvtu_record(
+        directory + "/fields/", "fields", step, fields.communicator(), 5, 0);
+    }
     catch (const std::exception &)
-      {
-        message = "Output/Directory: the fields cannot be written in '" +
-                  directory + "/fields'; is the disk full?";
-      }
+    {
+      message = "Output/Directory: the fields cannot be written in '" +
+                directory + "/fields'; is the disk full?";
+    }
     // any rank may be the one whose file failed
-    const bool failed = Utilities::MPI::max(message.empty() ? 0 : 1,
-                                            fields.communicator()) == 1;
+    const bool failed =
+      Utilities::MPI::max(message.empty() ? 0 : 1, fields.communicator()) == 1;
     if (failed)
       throw FileError("Output/Directory: the fields cannot be written in '" +
                       directory + "/fields'; is the disk full?");

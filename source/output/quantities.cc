@@ -34,15 +34,15 @@ namespace MixedCracks
   BoundaryQuantities<dim>::reinit()
   {
     for (unsigned int d = 0; d < dim; ++d)
-      {
-        std::vector<bool> mask(fields.elastic.get_fe().n_components(), false);
-        mask[d]       = true;
-        owned_dofs[d] = DoFTools::extract_boundary_dofs(
-                          fields.elastic,
-                          ComponentMask(mask),
-                          std::set<types::boundary_id>{boundary}) &
-                        fields.elastic_dofs.owned;
-      }
+    {
+      std::vector<bool> mask(fields.elastic.get_fe().n_components(), false);
+      mask[d]       = true;
+      owned_dofs[d] = DoFTools::extract_boundary_dofs(
+                        fields.elastic,
+                        ComponentMask(mask),
+                        std::set<types::boundary_id>{boundary}) &
+                      fields.elastic_dofs.owned;
+    }
 
     Tensor<1, dim>    normal;
     FEFaceValues<dim> face_values(fields.mapping,
@@ -54,12 +54,12 @@ namespace MixedCracks
         for (const unsigned int face : cell->face_indices())
           if (cell->face(face)->at_boundary() &&
               cell->face(face)->boundary_id() == boundary)
-            {
-              face_values.reinit(cell, face);
-              for (unsigned int q = 0; q < face_values.n_quadrature_points; ++q)
-                normal += face_values.normal_vector(q) * face_values.JxW(q);
-            }
-    normal = Utilities::MPI::sum(normal, fields.communicator());
+          {
+            face_values.reinit(cell, face);
+            for (unsigned int q = 0; q < face_values.n_quadrature_points; ++q)
+              normal += face_values.normal_vector(q) * face_values.JxW(q);
+          }
+    normal            = Utilities::MPI::sum(normal, fields.communicator());
     unsigned int axis = 0;
     for (unsigned int d = 1; d < dim; ++d)
       if (std::abs(normal[d]) > std::abs(normal[axis]))
@@ -89,10 +89,10 @@ namespace MixedCracks
     std::map<types::boundary_id, std::vector<const PrescribedComponent<dim> *>>
       by_boundary;
     for (const auto &entry : constraints.prescribed_components())
-      {
-        entry.value->set_time(time);
-        by_boundary[entry.boundary].push_back(&entry);
-      }
+    {
+      entry.value->set_time(time);
+      by_boundary[entry.boundary].push_back(&entry);
+    }
     // integral of the magnitude and area per boundary, in the map's order
     std::vector<double> sums(2 * by_boundary.size(), 0.);
     FEFaceValues<dim>   face_values(fields.mapping,
@@ -100,27 +100,27 @@ namespace MixedCracks
                                   QGauss<dim - 1>(2),
                                   update_quadrature_points | update_JxW_values);
     together(fields.communicator(), [&]() {
-    for (const auto &cell : fields.phase_field.active_cell_iterators())
-      if (cell->is_locally_owned())
-        for (const unsigned int face : cell->face_indices())
+      for (const auto &cell : fields.phase_field.active_cell_iterators())
+        if (cell->is_locally_owned())
+          for (const unsigned int face : cell->face_indices())
           {
             if (!cell->face(face)->at_boundary())
               continue;
-            const auto found = by_boundary.find(cell->face(face)->boundary_id());
+            const auto found =
+              by_boundary.find(cell->face(face)->boundary_id());
             if (found == by_boundary.end())
               continue;
             const auto at = 2 * std::distance(by_boundary.begin(), found);
             face_values.reinit(cell, face);
             for (unsigned int q = 0; q < face_values.n_quadrature_points; ++q)
-              {
-                Tensor<1, dim> value;
-                for (const auto *entry : found->second)
-                  value[entry->component] =
-                    entry->value->value(face_values.quadrature_point(q),
-                                        entry->component);
-                sums[at] += value.norm() * face_values.JxW(q);
-                sums[at + 1] += face_values.JxW(q);
-              }
+            {
+              Tensor<1, dim> value;
+              for (const auto *entry : found->second)
+                value[entry->component] = entry->value->value(
+                  face_values.quadrature_point(q), entry->component);
+              sums[at] += value.norm() * face_values.JxW(q);
+              sums[at + 1] += face_values.JxW(q);
+            }
           }
     });
     Utilities::MPI::sum(sums, fields.communicator(), sums);

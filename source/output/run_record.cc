@@ -49,10 +49,10 @@ namespace MixedCracks
         << record.external_work << ' ' << record.peak_step << '\n'
         << record.rows.size() << '\n';
     for (const StatisticsRow &row : record.rows)
-      {
-        for_each_member(row, [&](const auto &value) { out << value << ' '; });
-        out << '\n';
-      }
+    {
+      for_each_member(row, [&](const auto &value) { out << value << ' '; });
+      out << '\n';
+    }
     out << record.field_files.size() << '\n';
     for (const auto &[time, name] : record.field_files)
       out << time << ' ' << std::quoted(name) << '\n';
@@ -69,18 +69,18 @@ namespace MixedCracks
       record.time_step >> record.next_step >> record.peak_force >>
       record.external_work >> record.peak_step >> n_rows;
     for (std::size_t i = 0; in && i < n_rows; ++i)
-      {
-        StatisticsRow row;
-        for_each_member(row, [&](auto &value) { in >> value; });
-        record.rows.push_back(row);
-      }
+    {
+      StatisticsRow row;
+      for_each_member(row, [&](auto &value) { in >> value; });
+      record.rows.push_back(row);
+    }
     in >> n_files;
     for (std::size_t i = 0; in && i < n_files; ++i)
-      {
-        std::pair<double, std::string> file;
-        in >> file.first >> std::quoted(file.second);
-        record.field_files.push_back(file);
-      }
+    {
+      std::pair<double, std::string> file;
+      in >> file.first >> std::quoted(file.second);
+      record.field_files.push_back(file);
+    }
     if (!in)
       throw FileError("--resume: the checkpoint cannot be read.");
     return record;

@@ -70,12 +70,12 @@ namespace MixedCracks
     name = file_name;
     std::string message;
     if (dealii::Utilities::MPI::this_mpi_process(communicator) == 0)
-      {
-        file.open(name);
-        file << header(dim) << std::flush;
-        if (!file)
-          message = "Output/Directory: '" + name + "' cannot be written.";
-      }
+    {
+      file.open(name);
+      file << header(dim) << std::flush;
+      if (!file)
+        message = "Output/Directory: '" + name + "' cannot be written.";
+    }
     throw_on_all_ranks(message, communicator);
   }
 
@@ -96,12 +96,12 @@ namespace MixedCracks
     table.push_back(row);
     std::string message;
     if (dealii::Utilities::MPI::this_mpi_process(communicator) == 0)
-      {
-        file << line(row, dim) << std::flush;
-        if (!file)
-          message = "Output/Directory: '" + name +
-                    "' cannot be written any more; is the disk full?";
-      }
+    {
+      file << line(row, dim) << std::flush;
+      if (!file)
+        message = "Output/Directory: '" + name +
+                  "' cannot be written any more; is the disk full?";
+    }
     throw_on_all_ranks(message, communicator);
   }
 } // namespace MixedCracks

@@ -79,17 +79,17 @@ namespace MixedCracks
       json.add("time_at_peak_s", peak.time);
       json.add("step_at_peak", peak.step);
       json.add("remaining_force_fraction",
-               peak.force_size() > 0. ? last.force_size() / peak.force_size() :
-                                        0.);
+               peak.force_size() > 0. ? last.force_size() / peak.force_size()
+                                      : 0.);
       json.add("end_displacement_mm", last.displacement);
       json.add("cells", static_cast<double>(last.cells));
       json.add("dofs", static_cast<double>(last.dofs));
       unsigned int newton = 0, coupling = 0;
       for (const StatisticsRow &row : rows)
-        {
-          newton += row.newton_iterations;
-          coupling += row.coupling_iterations;
-        }
+      {
+        newton += row.newton_iterations;
+        coupling += row.coupling_iterations;
+      }
       json.add("newton_iterations", newton);
       json.add("coupling_iterations", coupling);
     }
@@ -142,8 +142,7 @@ namespace MixedCracks
     JsonObject phases;
     for (const auto &[name, seconds] : summary.phases)
       phases.add(name, seconds);
-    json.raw("seconds_per_phase",
-             summary.phases.empty() ? "{}" : phases.str());
+    json.raw("seconds_per_phase", summary.phases.empty() ? "{}" : phases.str());
     std::string warnings;
     for (const std::string &warning : summary.warnings)
       warnings += (warnings.empty() ? "" : ", ") + quoted(warning);

@@ -67,14 +67,14 @@ namespace MixedCracks
                             false);
       SolverCG<Vector> solver(control);
       try
-        {
-          solver.solve(block, solution, right_hand_side, preconditioner);
-        }
+      {
+        solver.solve(block, solution, right_hand_side, preconditioner);
+      }
       catch (const SolverControl::NoConvergence &)
-        {
-          outcome.success = false;
-          outcome.reason  = "the phase-field operator is indefinite";
-        }
+      {
+        outcome.success = false;
+        outcome.reason  = "the phase-field operator is indefinite";
+      }
       outcome.iterations = control.last_step();
       return outcome;
     }
@@ -88,10 +88,10 @@ namespace MixedCracks
     std::size_t i      = 0;
     double     *values = inverse.begin();
     for (const auto row : inverse.locally_owned_elements())
-      {
-        const double diagonal = std::abs(matrix.diag_element(row));
-        values[i++]           = diagonal > 0. ? 1. / diagonal : 1.;
-      }
+    {
+      const double diagonal = std::abs(matrix.diag_element(row));
+      values[i++]           = diagonal > 0. ? 1. / diagonal : 1.;
+    }
   }
 
 
@@ -106,17 +106,17 @@ namespace MixedCracks
     const double *lower = problem.lower.begin(), *upper = problem.upper.begin();
     const double *scale = problem.scale.begin();
     for (std::size_t i = 0; i < sides.size(); ++i)
-      {
-        if (problem.constrained[i])
-          continue;
-        // positive where the energy falls with a growing phase field
-        const double multiplier = -r[i] / scale[i];
-        if (upper[i] - lower[i] <= same_bounds ||
-            multiplier + options.weight * (x[i] - lower[i]) < 0.)
-          sides[i] = Side::lower;
-        else if (multiplier + options.weight * (x[i] - upper[i]) > 0.)
-          sides[i] = Side::upper;
-      }
+    {
+      if (problem.constrained[i])
+        continue;
+      // positive where the energy falls with a growing phase field
+      const double multiplier = -r[i] / scale[i];
+      if (upper[i] - lower[i] <= same_bounds ||
+          multiplier + options.weight * (x[i] - lower[i]) < 0.)
+        sides[i] = Side::lower;
+      else if (multiplier + options.weight * (x[i] - upper[i]) > 0.)
+        sides[i] = Side::upper;
+    }
     return sides;
   }
 
@@ -145,24 +145,24 @@ namespace MixedCracks
     right_hand_side *= -1.;
     std::vector<bool> is_free(sides.size());
     for (std::size_t i = 0; i < sides.size(); ++i)
-      {
-        is_free[i] = sides[i] == Side::free && !problem.constrained[i];
-        if (!is_free[i])
-          right_hand_side.begin()[i] = 0.;
-      }
+    {
+      is_free[i] = sides[i] == Side::free && !problem.constrained[i];
+      if (!is_free[i])
+        right_hand_side.begin()[i] = 0.;
+    }
 
     DiagonalMatrix<Vector> preconditioner;
     Vector                 inverse_diagonal(residual);
     invert_diagonal(problem.matrix, inverse_diagonal);
     preconditioner.reinit(inverse_diagonal);
     Vector free_correction(residual);
-    free_correction             = 0.;
-    const LinearOutcome outcome = solve_free_block(
-      FreeBlock(problem.matrix, is_free),
-      preconditioner,
-      options,
-      right_hand_side,
-      free_correction);
+    free_correction = 0.;
+    const LinearOutcome outcome =
+      solve_free_block(FreeBlock(problem.matrix, is_free),
+                       preconditioner,
+                       options,
+                       right_hand_side,
+                       free_correction);
     correction.add(1., free_correction);
     return outcome;
   }
@@ -202,46 +202,45 @@ namespace MixedCracks
     Vector            correction(residual), image(residual);
     std::vector<Side> sides;
     for (; outcome.iterations <= options.max_iterations; ++outcome.iterations)
+    {
+      const std::vector<Side> new_sides =
+        decide_sides(problem, solution, residual);
+      std::vector<types::global_dof_index> counts(2, 0);
+      double                               largest = 0.;
+      for (std::size_t i = 0; i < new_sides.size(); ++i)
       {
-        const std::vector<Side> new_sides =
-          decide_sides(problem, solution, residual);
-        std::vector<types::global_dof_index> counts(2, 0);
-        double                               largest = 0.;
-        for (std::size_t i = 0; i < new_sides.size(); ++i)
-          {
-            counts[0] += new_sides[i] != Side::free;
-            counts[1] += sides.empty() || new_sides[i] != sides[i];
-            if (new_sides[i] == Side::free && !problem.constrained[i])
-              largest = std::max(largest,
-                                 std::abs(residual.begin()[i] /
-                                          problem.scale.begin()[i]));
-          }
-        Utilities::MPI::sum(counts, communicator, counts);
-        outcome.residual = Utilities::MPI::max(largest, communicator);
-        outcome.n_active = counts[0];
-        if (outcome.iterations > 0 && counts[1] == 0)
-          {
-            outcome.converged = true;
-            return outcome;
-          }
-        if (outcome.iterations > 0)
-          outcome.n_changes += counts[1];
-        if (outcome.iterations == options.max_iterations)
-          break;
-
-        sides = new_sides;
-        const LinearOutcome linear =
-          compute_correction(problem, sides, solution, residual, correction);
-        outcome.linear_iterations += linear.iterations;
-        if (!linear.success)
-          {
-            outcome.reason = linear.reason;
-            return outcome;
-          }
-        solution.add(1., correction);
-        problem.matrix.vmult(image, correction);
-        residual.add(1., image);
+        counts[0] += new_sides[i] != Side::free;
+        counts[1] += sides.empty() || new_sides[i] != sides[i];
+        if (new_sides[i] == Side::free && !problem.constrained[i])
+          largest = std::max(
+            largest, std::abs(residual.begin()[i] / problem.scale.begin()[i]));
       }
+      Utilities::MPI::sum(counts, communicator, counts);
+      outcome.residual = Utilities::MPI::max(largest, communicator);
+      outcome.n_active = counts[0];
+      if (outcome.iterations > 0 && counts[1] == 0)
+      {
+        outcome.converged = true;
+        return outcome;
+      }
+      if (outcome.iterations > 0)
+        outcome.n_changes += counts[1];
+      if (outcome.iterations == options.max_iterations)
+        break;
+
+      sides = new_sides;
+      const LinearOutcome linear =
+        compute_correction(problem, sides, solution, residual, correction);
+      outcome.linear_iterations += linear.iterations;
+      if (!linear.success)
+      {
+        outcome.reason = linear.reason;
+        return outcome;
+      }
+      solution.add(1., correction);
+      problem.matrix.vmult(image, correction);
+      residual.add(1., image);
+    }
     outcome.reason = "the active set did not settle within " +
                      std::to_string(options.max_iterations) + " iterations";
     return outcome;

@@ -122,11 +122,10 @@ namespace MixedCracks
   double
   LoadControl::phase_field_bound() const
   {
-    const bool bounded =
-      parameters.largest_phase_field_change > 0. &&
-      time_step > parameters.onset_step * (1. + rounding);
-    return bounded ? parameters.largest_phase_field_change :
-                     std::numeric_limits<double>::infinity();
+    const bool bounded = parameters.largest_phase_field_change > 0. &&
+                         time_step > parameters.onset_step * (1. + rounding);
+    return bounded ? parameters.largest_phase_field_change
+                   : std::numeric_limits<double>::infinity();
   }
 
 
@@ -136,22 +135,18 @@ namespace MixedCracks
   {
     const double bound = phase_field_bound();
     if (converged && phase_field_change <= bound)
-      {
-        time += time_step;
-        rejected_in_a_row = 0;
-        // a step that used little of the bound was easy
-        if (parameters.largest_phase_field_change == 0. ||
-            phase_field_change <
-              0.5 * parameters.largest_phase_field_change)
-          time_step = std::min(2. * time_step, parameters.largest_step);
-        limit_step();
-        return Verdict::accept;
-      }
+    {
+      time += time_step;
+      // a step that used little of the bound was easy
+      if (parameters.largest_phase_field_change == 0. ||
+          phase_field_change < 0.3 * parameters.largest_phase_field_change)
+        time_step = std::min(2. * time_step, parameters.largest_step);
+      limit_step();
+      return Verdict::accept;
+    }
     ++rejected;
-    // twice in a row too far: it is the onset, do not halve all the way
-    const double factor = rejected_in_a_row++ == 0 ? 0.5 : 0.;
     if (converged)
-      time_step = std::max(factor * time_step, parameters.onset_step);
+      time_step = std::max(0.5 * time_step, parameters.onset_step);
     else if (time_step <= parameters.smallest_step * (1. + rounding))
       return Verdict::give_up;
     else

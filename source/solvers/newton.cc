@@ -18,14 +18,14 @@ namespace MixedCracks
       ResidualSize size   = problem.residual();
       double       factor = 1.;
       for (unsigned int i = 0; i < options.max_bisections; ++i)
-        {
-          // '<' rather than '>=': a residual that is no number is no progress
-          if (size.largest() < before.largest())
-            break;
-          problem.move(-0.5 * factor);
-          factor *= 0.5;
-          size = problem.residual();
-        }
+      {
+        // '<' rather than '>=': a residual that is no number is no progress
+        if (size.largest() < before.largest())
+          break;
+        problem.move(-0.5 * factor);
+        factor *= 0.5;
+        size = problem.residual();
+      }
       return size;
     }
 
@@ -46,39 +46,38 @@ namespace MixedCracks
   solve_newton(const NewtonProblem &problem, const NewtonOptions &options)
   {
     NewtonOutcome outcome;
-    outcome.first = outcome.last = problem.residual();
+    outcome.first = outcome.last  = problem.residual();
     bool         force_new_matrix = false;
-    const double target =
-      std::max(options.tolerance,
-               options.relative_tolerance * outcome.first.largest());
+    const double target           = std::max(
+      options.tolerance, options.relative_tolerance * outcome.first.largest());
     while (!(outcome.last.largest() <= target))
+    {
+      if (outcome.iterations == options.max_iterations)
       {
-        if (outcome.iterations == options.max_iterations)
-          {
-            outcome.reason = "no convergence within " +
-                             std::to_string(options.max_iterations) +
-                             " Newton iterations";
-            return outcome;
-          }
-        const LinearOutcome linear =
-          compute_correction(problem, force_new_matrix);
-        if (!linear.success)
-          {
-            outcome.reason = linear.reason;
-            return outcome;
-          }
-        const ResidualSize before = outcome.last;
-        outcome.last              = line_search(problem, options, before);
-        outcome.iterations += 1;
-        outcome.linear_iterations += linear.iterations;
-        if (!std::isfinite(outcome.last.largest()))
-          {
-            outcome.reason = "the residual is not a number";
-            return outcome;
-          }
-        force_new_matrix = outcome.last.largest() >
-                           options.required_reduction * before.largest();
+        outcome.reason = "no convergence within " +
+                         std::to_string(options.max_iterations) +
+                         " Newton iterations";
+        return outcome;
       }
+      const LinearOutcome linear =
+        compute_correction(problem, force_new_matrix);
+      if (!linear.success)
+      {
+        outcome.reason = linear.reason;
+        return outcome;
+      }
+      const ResidualSize before = outcome.last;
+      outcome.last              = line_search(problem, options, before);
+      outcome.iterations += 1;
+      outcome.linear_iterations += linear.iterations;
+      if (!std::isfinite(outcome.last.largest()))
+      {
+        outcome.reason = "the residual is not a number";
+        return outcome;
+      }
+      force_new_matrix =
+        outcome.last.largest() > options.required_reduction * before.largest();
+    }
     outcome.converged = true;
     return outcome;
   }

@@ -40,18 +40,18 @@ namespace MixedCracks
     double
     find_free_dofs(Descent &d)
     {
-      const BoundedProblem &p = d.problem;
+      const BoundedProblem &p       = d.problem;
       double                largest = 0.;
       d.is_free.assign(p.constrained.size(), false);
       for (std::size_t i = 0; i < d.is_free.size(); ++i)
-        {
-          const double x = d.x.begin()[i], r = d.r.begin()[i];
-          const double lower = p.lower.begin()[i], upper = p.upper.begin()[i];
-          const bool   held = (x <= lower && r >= 0.) || (x >= upper && r <= 0.);
-          d.is_free[i]      = !p.constrained[i] && !held && lower < upper;
-          if (d.is_free[i])
-            largest = std::max(largest, std::abs(r / p.scale.begin()[i]));
-        }
+      {
+        const double x = d.x.begin()[i], r = d.r.begin()[i];
+        const double lower = p.lower.begin()[i], upper = p.upper.begin()[i];
+        const bool   held = (x <= lower && r >= 0.) || (x >= upper && r <= 0.);
+        d.is_free[i]      = !p.constrained[i] && !held && lower < upper;
+        if (d.is_free[i])
+          largest = std::max(largest, std::abs(r / p.scale.begin()[i]));
+      }
       return Utilities::MPI::max(largest, d.x.get_mpi_communicator());
     }
 
@@ -85,27 +85,27 @@ namespace MixedCracks
       unsigned int       iterations     = 0;
       const unsigned int max_iterations = 300;
       while (product > target && iterations < max_iterations)
+      {
+        ++iterations;
+        d.problem.matrix.vmult(d.image, search);
+        keep_free(d, d.image);
+        const double curvature = search * d.image;
+        if (!(curvature > 1e-14 * product))
         {
-          ++iterations;
-          d.problem.matrix.vmult(d.image, search);
-          keep_free(d, d.image);
-          const double curvature = search * d.image;
-          if (!(curvature > 1e-14 * product))
-            {
-              // downhill it is: the search direction starts as the gradient
-              d.curved_downwards = true;
-              d.direction        = search;
-              break;
-            }
-          const double length = product / curvature;
-          d.direction.add(length, search);
-          remainder.add(-length, d.image);
-          preconditioned = remainder;
-          preconditioned.scale(inverse_diagonal);
-          const double new_product = remainder * preconditioned;
-          search.sadd(new_product / product, 1., preconditioned);
-          product = new_product;
+          // downhill it is: the search direction starts as the gradient
+          d.curved_downwards = true;
+          d.direction        = search;
+          break;
         }
+        const double length = product / curvature;
+        d.direction.add(length, search);
+        remainder.add(-length, d.image);
+        preconditioned = remainder;
+        preconditioned.scale(inverse_diagonal);
+        const double new_product = remainder * preconditioned;
+        search.sadd(new_product / product, 1., preconditioned);
+        product = new_product;
+      }
       return iterations;
     }
 
@@ -123,28 +123,27 @@ namespace MixedCracks
         factor = 1. / std::max(d.direction.linfty_norm(), 1e-300);
       Vector move(d.x);
       for (unsigned int i = 0; i < max_bisections; ++i, factor *= 0.5)
+      {
+        for (std::size_t j = 0; j < d.is_free.size(); ++j)
         {
-          for (std::size_t j = 0; j < d.is_free.size(); ++j)
-            {
-              const double x = d.x.begin()[j];
-              move.begin()[j] =
-                d.is_free[j] ?
-                  std::clamp(x + factor * d.direction.begin()[j],
-                             p.lower.begin()[j],
-                             p.upper.begin()[j]) -
-                    x :
-                  0.;
-            }
-          p.matrix.vmult(d.image, move);
-          const double slope  = d.r * move;
-          const double change = slope + 0.5 * (d.image * move);
-          if (slope < 0. && change <= sufficient_decrease * slope)
-            {
-              d.x.add(1., move);
-              d.r.add(1., d.image);
-              return true;
-            }
+          const double x  = d.x.begin()[j];
+          move.begin()[j] = d.is_free[j]
+                              ? std::clamp(x + factor * d.direction.begin()[j],
+                                           p.lower.begin()[j],
+                                           p.upper.begin()[j]) -
+                                  x
+                              : 0.;
         }
+        p.matrix.vmult(d.image, move);
+        const double slope  = d.r * move;
+        const double change = slope + 0.5 * (d.image * move);
+        if (slope < 0. && change <= sufficient_decrease * slope)
+        {
+          d.x.add(1., move);
+          d.r.add(1., d.image);
+          return true;
+        }
+      }
       return false;
     }
 
@@ -157,14 +156,13 @@ namespace MixedCracks
       const BoundedProblem &p = d.problem;
       Vector                move(d.x);
       for (std::size_t i = 0; i < p.constrained.size(); ++i)
-        {
-          const double x  = d.x.begin()[i];
-          move.begin()[i] = p.constrained[i] ? 0. :
-                                               std::clamp(x,
-                                                          p.lower.begin()[i],
-                                                          p.upper.begin()[i]) -
-                                                 x;
-        }
+      {
+        const double x = d.x.begin()[i];
+        move.begin()[i] =
+          p.constrained[i]
+            ? 0.
+            : std::clamp(x, p.lower.begin()[i], p.upper.begin()[i]) - x;
+      }
       p.matrix.vmult(d.image, move);
       d.x.add(1., move);
       d.r.add(1., d.image);
@@ -196,26 +194,26 @@ namespace MixedCracks
     project_start(d);
     ActiveSetOutcome outcome;
     while (true)
+    {
+      outcome.residual = find_free_dofs(d);
+      outcome.n_active = count_held(d);
+      if (outcome.residual <= relative_residual * options.weight)
       {
-        outcome.residual = find_free_dofs(d);
-        outcome.n_active = count_held(d);
-        if (outcome.residual <= relative_residual * options.weight)
-          {
-            outcome.converged = true;
-            return outcome;
-          }
-        if (outcome.iterations == options.max_descents)
-          break;
-        ++outcome.iterations;
-        outcome.linear_iterations += find_direction(d, inverse_diagonal);
-        if (!move_downhill(d))
-          {
-            // as low as rounding lets it
-            outcome.converged =
-              outcome.residual <= 1e3 * relative_residual * options.weight;
-            break;
-          }
+        outcome.converged = true;
+        return outcome;
       }
+      if (outcome.iterations == options.max_descents)
+        break;
+      ++outcome.iterations;
+      outcome.linear_iterations += find_direction(d, inverse_diagonal);
+      if (!move_downhill(d))
+      {
+        // as low as rounding lets it
+        outcome.converged =
+          outcome.residual <= 1e3 * relative_residual * options.weight;
+        break;
+      }
+    }
     if (!outcome.converged)
       outcome.reason = "the phase field did not settle within " +
                        std::to_string(outcome.iterations) +
