@@ -20,6 +20,8 @@ namespace MixedCracks
   {
     // bounds closer than this leave nothing to solve for
     constexpr double same_bounds = 1e-14;
+    // the phase field lies between 0 and 1
+    constexpr double largest_correction = 1e5;
 
     // The matrix on the free dofs and the identity on all others. Applied to
     // vectors that vanish outside the free dofs.
@@ -76,6 +78,13 @@ namespace MixedCracks
         outcome.reason  = "the phase-field operator is indefinite";
       }
       outcome.iterations = control.last_step();
+      // the residual is updated, not computed anew: a correction this far
+      // outside all bounds would cost it its digits
+      if (outcome.success && solution.linfty_norm() > largest_correction)
+      {
+        outcome.success = false;
+        outcome.reason  = "the phase-field operator is nearly singular";
+      }
       return outcome;
     }
   } // namespace
