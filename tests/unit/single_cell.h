@@ -93,7 +93,7 @@ namespace MixedCracks
                            const std::vector<unsigned int>  &block,
                            const double                      tolerance)
     {
-      const unsigned int n = block.size();
+      const unsigned int n             = block.size();
       double             largest[2][2] = {{0., 0.}, {0., 0.}};
       for (unsigned int i = 0; i < n; ++i)
         for (unsigned int j = 0; j < n; ++j)

@@ -21,9 +21,9 @@ namespace
       std::vector<double> expected;
       for (unsigned int i = 0; i < rows.size(); ++i)
         expected.push_back(factor * (1. + i * i));
-      const auto          right_hand_side = distributed(times(rows, expected));
-      auto                solution        = distributed(expected);
-      solution                            = 17.;
+      const auto right_hand_side  = distributed(times(rows, expected));
+      auto       solution         = distributed(expected);
+      solution                    = 17.;
       const LinearOutcome outcome = solver.solve(solution, right_hand_side);
       ASSERT_TRUE(outcome.success) << outcome.reason;
       const std::vector<double> found = gathered(solution);

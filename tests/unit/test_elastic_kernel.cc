@@ -58,8 +58,9 @@ namespace
         if (block[i] == 0)
         {
           const auto position = mapping.transform_unit_to_real_cell(
-            cell, element.base_element(0).get_unit_support_points()
-                    [element.system_to_component_index(i).second]);
+            cell,
+            element.base_element(0).get_unit_support_points()
+              [element.system_to_component_index(i).second]);
           values(i) = 1e-6 * values(i) + (strain * position)[component(i)];
         }
         else
@@ -98,14 +99,14 @@ namespace
       return element.system_to_component_index(dof).first;
     }
 
-    const bool                      mixed;
-    dealii::Triangulation<dim>      triangulation;
-    const dealii::MappingQ<dim>     mapping;
-    const dealii::QGauss<dim>       quadrature;
-    const dealii::FESystem<dim>     element;
-    ElasticKernel<dim>              kernel;
-    std::vector<double>             lagged_phase_field;
-    std::vector<unsigned int>       block; // 0 displacement, 1 pressure
+    const bool                  mixed;
+    dealii::Triangulation<dim>  triangulation;
+    const dealii::MappingQ<dim> mapping;
+    const dealii::QGauss<dim>   quadrature;
+    const dealii::FESystem<dim> element;
+    ElasticKernel<dim>          kernel;
+    std::vector<double>         lagged_phase_field;
+    std::vector<unsigned int>   block; // 0 displacement, 1 pressure
 
   private:
     static dealii::FESystem<dim>
@@ -212,7 +213,7 @@ TYPED_TEST(ElasticKernelOf, PassesThePatchTestWhenIntact)
                                     dealii::update_gradients |
                                       dealii::update_JxW_values);
     fe_values.reinit(cell.triangulation.begin());
-    double volume = 0.;
+    double      volume = 0.;
     LocalVector expected(local.size());
     for (unsigned int q = 0; q < cell.quadrature.size(); ++q)
     {

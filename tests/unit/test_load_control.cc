@@ -149,7 +149,7 @@ TEST(LoadControl, HitsTheEndTimeExactly)
     steps.first_step     = 0.1;
     steps.onset_step     = 0.1;
     LoadControl  control(steps);
-    unsigned int n = 0;
+    unsigned int n           = 0;
     double       last_target = 0.;
     while (!control.at_end())
     {

@@ -77,9 +77,8 @@ TEST(Newton, SolvesALinearProblemInOneIteration)
 
 TEST(Newton, DoesNothingAtTheSolution)
 {
-  ScalarProblem problem{[](const double x) { return 2. * x - 4.; },
-                        [](double) { return 2.; },
-                        2.};
+  ScalarProblem problem{
+    [](const double x) { return 2. * x - 4.; }, [](double) { return 2.; }, 2.};
   const NewtonOutcome outcome = problem.solve();
   EXPECT_TRUE(outcome.converged);
   EXPECT_EQ(outcome.iterations, 0u);
@@ -107,10 +106,10 @@ TEST(Newton, CrossesAKink)
 
 TEST(Newton, ForcesANewMatrixWhenTheOldOneFails)
 {
-  ScalarProblem problem = kinked(2.);
-  problem.x             = 1.;
-  problem.keeps_old_one = true;
-  problem.slope         = 0.6; // contracts by 2/3 only
+  ScalarProblem problem       = kinked(2.);
+  problem.x                   = 1.;
+  problem.keeps_old_one       = true;
+  problem.slope               = 0.6; // contracts by 2/3 only
   const NewtonOutcome outcome = problem.solve();
   EXPECT_TRUE(outcome.converged) << outcome.reason;
   EXPECT_EQ(problem.n_forced, 1u);
@@ -123,10 +122,10 @@ TEST(Newton, ForcesANewMatrixWhenTheOldOneFails)
 
 TEST(Newton, UsesAnOldMatrixAsLongAsItContracts)
 {
-  ScalarProblem problem = kinked(2.);
-  problem.x             = 1.;
-  problem.keeps_old_one = true;
-  problem.slope         = 1.05; // contracts by 1/21
+  ScalarProblem problem       = kinked(2.);
+  problem.x                   = 1.;
+  problem.keeps_old_one       = true;
+  problem.slope               = 1.05; // contracts by 1/21
   const NewtonOutcome outcome = problem.solve();
   EXPECT_TRUE(outcome.converged) << outcome.reason;
   EXPECT_EQ(problem.n_matrices, 0u);
@@ -137,10 +136,10 @@ TEST(Newton, UsesAnOldMatrixAsLongAsItContracts)
 
 TEST(Newton, SurvivesAnOldMatrixThatDiverges)
 {
-  ScalarProblem problem = kinked(2.);
-  problem.x             = 1.;
-  problem.keeps_old_one = true;
-  problem.slope         = 0.02; // a full step would overshoot fiftyfold
+  ScalarProblem problem       = kinked(2.);
+  problem.x                   = 1.;
+  problem.keeps_old_one       = true;
+  problem.slope               = 0.02; // a full step would overshoot fiftyfold
   const NewtonOutcome outcome = problem.solve();
   EXPECT_TRUE(outcome.converged) << outcome.reason;
   EXPECT_LE(outcome.iterations, 3u);
@@ -218,12 +217,10 @@ TEST(Newton, JudgesTheLargerOfBothResiduals)
 {
   unsigned int  n_moves = 0;
   NewtonProblem problem;
-  problem.residual = [&]() {
-    return ResidualSize{0., n_moves == 0 ? 1. : 0.};
-  };
-  problem.update_matrix = [](bool) { return LinearOutcome(); };
-  problem.solve         = []() { return LinearOutcome(); };
-  problem.move          = [&](double) { ++n_moves; };
+  problem.residual = [&]() { return ResidualSize{0., n_moves == 0 ? 1. : 0.}; };
+  problem.update_matrix       = [](bool) { return LinearOutcome(); };
+  problem.solve               = []() { return LinearOutcome(); };
+  problem.move                = [&](double) { ++n_moves; };
   const NewtonOutcome outcome = solve_newton(problem, {});
   EXPECT_TRUE(outcome.converged);
   EXPECT_EQ(outcome.iterations, 1u);

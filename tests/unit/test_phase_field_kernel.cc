@@ -123,10 +123,8 @@ TYPED_TEST(PhaseFieldKernelOf, JacobianIsTheDerivativeOfTheResidual)
     dealii::FullMatrix<double> found(local.size(), local.size());
     cell.kernel.set_state(local, cell.driving_force);
     cell.kernel.jacobian(found);
-    expect_equal_by_blocks(found,
-                           expected,
-                           std::vector<unsigned int>(local.size(), 0),
-                           1e-7);
+    expect_equal_by_blocks(
+      found, expected, std::vector<unsigned int>(local.size(), 0), 1e-7);
   });
 }
 

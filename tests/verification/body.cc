@@ -34,9 +34,8 @@ namespace MixedCracks
         const auto equals = line.find('=');
         if (equals == std::string::npos)
           continue;
-        std::vector<std::string> path =
-          split_list(line.substr(0, equals), '/');
-        const std::string entry = path.back();
+        std::vector<std::string> path = split_list(line.substr(0, equals), '/');
+        const std::string        entry = path.back();
         path.pop_back();
         for (const std::string &subsection : path)
           prm.enter_subsection(subsection);
@@ -54,9 +53,9 @@ namespace MixedCracks
       , triangulation(MPI_COMM_WORLD)
       , fields(triangulation,
                {parameters.model.mixed(), parameters.model.degree()})
-      , constraints(fields,
-                    prescribed_components(parameters,
-                                          parameters.model.mixed() ? 3 : 2))
+      , constraints(
+          fields,
+          prescribed_components(parameters, parameters.model.mixed() ? 3 : 2))
       , timer(MPI_COMM_WORLD,
               std::cout,
               TimerOutput::never,
@@ -65,7 +64,7 @@ namespace MixedCracks
       make_mesh_of(shape);
       cell_size =
         GridTools::minimal_cell_diameter(triangulation) / std::sqrt(2.);
-      material  = std::make_unique<Material<2>>(
+      material = std::make_unique<Material<2>>(
         describe_material(parameters.model, parameters.material, 2, cell_size));
       fields.distribute();
       constraints.reinit();
@@ -123,14 +122,13 @@ namespace MixedCracks
     NewtonOutcome
     Body::solve(const double time)
     {
-      state.time = time;
+      state.time                  = time;
       LinearAlgebra::Vector start = fields.owned_vector(fields.elastic_dofs);
       start                       = state.elastic;
       constraints.apply_prescribed(time, start);
       state.elastic = start;
-      NewtonOptions options;
-      options.tolerance           = 1e-9;
-      const NewtonOutcome outcome = elastic_step->solve(state, options);
+      const NewtonOutcome outcome =
+        elastic_step->solve(state, parameters.solver.newton);
       EXPECT_TRUE(outcome.converged) << outcome.reason;
       return outcome;
     }
@@ -148,9 +146,8 @@ namespace MixedCracks
     Tensor<1, 2>
     Body::reaction(const std::string &boundary) const
     {
-      BoundaryQuantities<2> quantities(fields,
-                                       constraints,
-                                       boundary_id(boundary));
+      BoundaryQuantities<2> quantities(
+        fields, constraints, boundary_id(boundary));
       quantities.reinit();
       return quantities.force(state.reaction);
     }
@@ -160,8 +157,8 @@ namespace MixedCracks
     Tensor<1, 2>
     Body::integrated_traction(const std::string &boundary) const
     {
-      const FEValuesExtractors::Vector displacement(0);
-      FEFaceValues<2>                  face_values(fields.mapping,
+      const FEValuesExtractors::Vector   displacement(0);
+      FEFaceValues<2>                    face_values(fields.mapping,
                                   fields.elastic.get_fe(),
                                   QGauss<1>(4),
                                   update_values | update_gradients |
@@ -186,11 +183,11 @@ namespace MixedCracks
             for (unsigned int q = 0; q < 4; ++q)
             {
               const auto stress =
-                fields.layout.mixed ?
-                  material->mixed(strains[q], pressures[q], 1.).stress :
-                  material->eliminated(strains[q], 1.).stress;
+                fields.layout.mixed
+                  ? material->mixed(strains[q], pressures[q], 1.).stress
+                  : material->eliminated(strains[q], 1.).stress;
               const Tensor<1, 2> normal = face_values.normal_vector(q);
-              sign = normal[0] + normal[1] < 0. ? -1. : 1.;
+              sign                      = normal[0] + normal[1] < 0. ? -1. : 1.;
               sum += sign * (stress * normal) * face_values.JxW(q);
             }
           }
@@ -225,9 +222,8 @@ namespace MixedCracks
                 const unsigned int first,
                 const unsigned int n) const
     {
-      const ComponentSelectFunction<2> weight({first, first + n},
-                                              fields.elastic.get_fe()
-                                                .n_components());
+      const ComponentSelectFunction<2> weight(
+        {first, first + n}, fields.elastic.get_fe().n_components());
       dealii::Vector<float> cellwise(triangulation.n_active_cells());
       VectorTools::integrate_difference(fields.mapping,
                                         fields.elastic,
@@ -237,9 +233,8 @@ namespace MixedCracks
                                         QGauss<2>(5),
                                         VectorTools::L2_norm,
                                         &weight);
-      return VectorTools::compute_global_error(triangulation,
-                                               cellwise,
-                                               VectorTools::L2_norm);
+      return VectorTools::compute_global_error(
+        triangulation, cellwise, VectorTools::L2_norm);
     }
 
 

@@ -18,26 +18,24 @@ namespace MixedCracks
     class Body
     {
     public:
-      using Position = std::function<dealii::Point<2>(const dealii::Point<2> &)>;
-      using Scalar   = std::function<double(const dealii::Point<2> &)>;
+      using Position =
+        std::function<dealii::Point<2>(const dealii::Point<2> &)>;
+      using Scalar = std::function<double(const dealii::Point<2> &)>;
 
       /// @p prm: entries as 'Subsection/Entry = value', one per line.
       /// @p shape: where the points of the coarse mesh are moved to.
       explicit Body(const std::string &prm, const Position &shape = {});
 
       /// The phase field the stiffness is degraded with; 1 at first.
-      void
-      set_phase_field(const Scalar &phase_field);
+      void set_phase_field(const Scalar &phase_field);
 
       /// Solve for displacement and pressure at @p time. Fails the test when
       /// Newton's method does not converge.
-      NewtonOutcome
-      solve(double time = 1.);
+      NewtonOutcome solve(double time = 1.);
 
       /// Consistent reaction on a boundary, N per mm thickness, positive in
       /// tension.
-      dealii::Tensor<1, 2>
-      reaction(const std::string &boundary) const;
+      dealii::Tensor<1, 2> reaction(const std::string &boundary) const;
 
       /// The same by integrating stress times normal over the boundary; for
       /// intact bodies.
@@ -50,17 +48,14 @@ namespace MixedCracks
 
       /// L2 norm of the difference to @p exact on the components from
       /// @p first on, @p n of them.
-      double
-      error(const dealii::Function<2> &exact,
-            unsigned int               first,
-            unsigned int               n) const;
+      double error(const dealii::Function<2> &exact,
+                   unsigned int               first,
+                   unsigned int               n) const;
 
       /// Largest and smallest pressure at the nodes, MPa.
-      std::pair<double, double>
-      pressure_range() const;
+      std::pair<double, double> pressure_range() const;
 
-      dealii::types::boundary_id
-      boundary_id(const std::string &boundary) const;
+      dealii::types::boundary_id boundary_id(const std::string &boundary) const;
 
     private:
       struct ReadParameters : Parameters<2>
@@ -68,8 +63,7 @@ namespace MixedCracks
         explicit ReadParameters(const std::string &prm);
       };
 
-      void
-      make_mesh_of(const Position &shape);
+      void make_mesh_of(const Position &shape);
 
     public:
       const ReadParameters                            parameters;

@@ -49,11 +49,11 @@ namespace
     return tip;
   }
 
-  const std::string mixed        = "Model/Formulation = mixed\n";
-  const std::string linear       = "Model/Formulation = displacement\n"
-                                   "Model/Displacement degree = 1\n";
-  const std::string quadratic    = "Model/Formulation = displacement\n"
-                                   "Model/Displacement degree = 2\n";
+  const std::string mixed           = "Model/Formulation = mixed\n";
+  const std::string linear          = "Model/Formulation = displacement\n"
+                                      "Model/Displacement degree = 1\n";
+  const std::string quadratic       = "Model/Formulation = displacement\n"
+                                      "Model/Displacement degree = 2\n";
   const std::string in_plane_stress = "Model/Kinematics = plane stress\n";
   const std::string in_plane_strain = "Model/Kinematics = plane strain\n";
 #ifdef DEBUG
@@ -77,7 +77,7 @@ TEST(CooksMembrane, AgreesWithTheLiteratureInPlaneStress)
 
 TEST(CooksMembrane, MixedDoesNotLockAndDisplacementDoes)
 {
-  const std::string nu = "0.49999";
+  const std::string nu   = "0.49999";
   const double reference = tip_displacement(mixed + in_plane_strain, nu, fine);
   // the same limit by another element
   EXPECT_NEAR(tip_displacement(quadratic + in_plane_strain, nu, fine),
@@ -96,6 +96,6 @@ TEST(CooksMembrane, MixedDoesNotLockAndDisplacementDoes)
 TEST(CooksMembrane, MixedIsIndifferentToTheLastDigitsOfThePoissonRatio)
 {
   const double first = tip_displacement(mixed + in_plane_strain, "0.4999", 4);
-  const double last  = tip_displacement(mixed + in_plane_strain, "0.4999999", 4);
+  const double last = tip_displacement(mixed + in_plane_strain, "0.4999999", 4);
   EXPECT_NEAR(first, last, 2e-3 * last);
 }

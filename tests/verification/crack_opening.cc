@@ -3,14 +3,15 @@
 //
 //      u_x = 0, u_y = 0      A strip of 20 x 28 mm is cut right through by the
 //     +--------------+       optimal profile of Wu's functional,
-//     |              |       phi = sin(|y - 14| / l), one row of nodes at 0, and
+//     |              |       phi = sin(|y - 14| / l), one row of nodes at 0,
+//     and
 //     |~~~~ phi ~~~~~|       pulled. What force remains, compared with that of
 //     |              |       the intact strip? An open crack would leave
 //     +--------------+       nothing; the figures say how much every pressure
 //      u_x = 0, u_y = -t     law still transmits.
 //
-// The figures depend on l / 28 mm; l = 0.636 mm reproduces those that a separate
-// trial code gave for one row of nodes at 0.
+// The figures depend on l / 28 mm; l = 0.636 mm reproduces those that a
+// separate trial code gave for one row of nodes at 0.
 #include "body.h"
 
 #include <gtest/gtest.h>
@@ -84,11 +85,10 @@ namespace
   intact_force(Body &body, const Variant &variant)
   {
     static std::map<std::tuple<std::string, unsigned int, double>, double>
-                 known;
-    const auto   key   = std::make_tuple(variant.kinematics,
-                                     variant.cells_per_length,
-                                     variant.lambda);
-    const auto   found = known.find(key);
+               known;
+    const auto key = std::make_tuple(
+      variant.kinematics, variant.cells_per_length, variant.lambda);
+    const auto found = known.find(key);
     if (found != known.end())
       return found->second;
     body.solve();
@@ -102,13 +102,13 @@ namespace
     Body                body(case_for(variant));
     const double        intact  = intact_force(body, variant);
     const CrackDensity &density = body.material->crack_density();
-    const double width = (variant.n_rows - 1) * length_scale /
-                         variant.cells_per_length;
+    const double        width =
+      (variant.n_rows - 1) * length_scale / variant.cells_per_length;
     body.set_phase_field([&](const dealii::Point<2> &x) {
       const double above    = x[1] - 0.5 * height;
       const double distance = std::max(-above, above - width);
-      return distance < 1e-8 ? 0. :
-                               density.optimal_profile(distance / length_scale);
+      return distance < 1e-8 ? 0.
+                             : density.optimal_profile(distance / length_scale);
     });
     body.solve();
     const double remaining = body.reaction("top")[1] / intact;

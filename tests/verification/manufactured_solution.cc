@@ -37,7 +37,8 @@ namespace
     {}
 
     double
-    value(const dealii::Point<2> &x, const unsigned int component) const override
+    value(const dealii::Point<2> &x,
+          const unsigned int      component) const override
     {
       const double sx = std::sin(PI * x[0]), cx = std::cos(PI * x[0]);
       const double sy = std::sin(PI * x[1]), cy = std::cos(PI * x[1]);
@@ -75,20 +76,21 @@ namespace
     const std::string uy = "-cos(pi*x)*sin(pi*y)+" + a + "*sin(pi*x)*cos(pi*y)";
     // -div(2 mu eps + p I); the divergence-free part is an eigenfunction of
     // the Laplacian, the gradient part gives 2 mu / lambda times grad p
-    const std::string curl  = text(2. * PI * PI * mu);
-    const std::string grad  = text(-(2. * mu / lambda + 1.) * PI * mu);
-    const std::string fx    = curl + "*sin(pi*x)*cos(pi*y)+" + grad +
-                           "*cos(pi*x)*sin(pi*y)";
-    const std::string fy = "-" + curl + "*cos(pi*x)*sin(pi*y)+" + grad +
-                           "*sin(pi*x)*cos(pi*y)";
+    const std::string curl = text(2. * PI * PI * mu);
+    const std::string grad = text(-(2. * mu / lambda + 1.) * PI * mu);
+    const std::string fx =
+      curl + "*sin(pi*x)*cos(pi*y)+" + grad + "*cos(pi*x)*sin(pi*y)";
+    const std::string fy =
+      "-" + curl + "*cos(pi*x)*sin(pi*y)+" + grad + "*sin(pi*x)*cos(pi*y)";
     // 2 mu du_x/dx + p and mu (du_x/dy + du_y/dx) on x = 1
     const std::string tx = text(2. * mu * PI) + "*cos(pi*x)*cos(pi*y)";
-    const std::string ty = text(2. * mu * PI) + "*" + a + "*cos(pi*x)*cos(pi*y)";
+    const std::string ty =
+      text(2. * mu * PI) + "*" + a + "*cos(pi*x)*cos(pi*y)";
 
     std::string prescribed;
     for (const std::string boundary : {"left", "bottom", "top"})
-      prescribed += boundary + " : x : " + ux + ";" + boundary + " : y : " +
-                    uy + ";";
+      prescribed +=
+        boundary + " : x : " + ux + ";" + boundary + " : y : " + uy + ";";
     return "Geometry/Name = rectangle\n"
            "Geometry/Rectangle/Cell size = 1\n"
            "Mesh/Global refinements = " +
@@ -127,10 +129,10 @@ namespace
           EXPECT_GE(pressure_order, 1.9);
         }
         if (dealii::Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0)
-          std::cout << "lambda/mu " << ratio << ", h = 1/"
-                    << (1 << refinement) << ": u " << new_displacement
-                    << " order " << displacement_order << ", p "
-                    << new_pressure << " order " << pressure_order << '\n';
+          std::cout << "lambda/mu " << ratio << ", h = 1/" << (1 << refinement)
+                    << ": u " << new_displacement << " order "
+                    << displacement_order << ", p " << new_pressure << " order "
+                    << pressure_order << '\n';
       }
       displacement = new_displacement;
       pressure     = new_pressure;

@@ -83,9 +83,8 @@ TEST(Reaction, IsTheIntegratedTractionInRowsOfRectangles)
   Body body(strip(sliding, 2));
   body.solve();
   const double consistent = body.reaction("top")[1];
-  EXPECT_NEAR(body.integrated_traction("top")[1],
-              consistent,
-              1e-9 * consistent);
+  EXPECT_NEAR(
+    body.integrated_traction("top")[1], consistent, 1e-9 * consistent);
 }
 
 
