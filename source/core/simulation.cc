@@ -51,8 +51,13 @@ namespace MixedCracks
       resumed = checkpoint.read();
       require_same_case(resumed->signature, signature);
     }
-    prepare_output(existing);
+    // an existing run is refused at once, but replaced only when the mesh of
+    // the new one is there
+    if (existing == ExistingRun::refuse)
+      prepare_output(existing);
     preflight();
+    if (existing != ExistingRun::refuse)
+      prepare_output(existing);
     set_up_mesh_dependent();
 
     State accepted = resumed ? resumed_state() : initial_state();

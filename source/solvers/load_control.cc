@@ -137,9 +137,11 @@ namespace MixedCracks
     if (converged && phase_field_change <= bound)
     {
       time += time_step;
-      // a step that used little of the bound was easy
-      if (parameters.largest_phase_field_change == 0. ||
-          phase_field_change < 0.3 * parameters.largest_phase_field_change)
+      // a step that used little of the bound was easy; without a bound the
+      // first step is the step, but for recovering from failures
+      if (parameters.largest_phase_field_change == 0.)
+        time_step = std::min(2. * time_step, parameters.first_step);
+      else if (phase_field_change < 0.3 * parameters.largest_phase_field_change)
         time_step = std::min(2. * time_step, parameters.largest_step);
       limit_step();
       return Verdict::accept;

@@ -126,7 +126,8 @@ TEST(LoadControl, KeepsFixedStepsWithoutABound)
 {
   LoadParameters fixed             = parameters();
   fixed.largest_phase_field_change = 0.;
-  fixed.first_step                 = fixed.largest_step;
+  fixed.first_step                 = 1.;
+  fixed.largest_step               = 2.; // not made use of
   LoadControl control(fixed);
   for (unsigned int i = 1; i <= 10; ++i)
   {
