@@ -10,6 +10,9 @@ namespace MixedCracks
   bool
   Simulation<dim>::stop_now() const
   {
+    // there is no state to continue from before the first one is recorded
+    if (statistics.rows().empty())
+      return false;
     const double limit = parameters.output.wall_time_limit;
     // every rank has to come to the same answer
     const bool out_of_time =

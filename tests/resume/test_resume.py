@@ -1,0 +1,87 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""A run that was stopped and continued gives the results of one that was not.
+
+usage: test_resume.py EXECUTABLE MPIRUN
+"""
+
+import csv
+import os
+import pathlib
+import subprocess
+import sys
+import tempfile
+
+ROOT = pathlib.Path(__file__).resolve().parents[2]
+CASE = ROOT / "parameters" / "epdm" / "punctured_strip.prm"
+COARSE = ["Mesh/Global refinements=0", "Mesh/Refined boxes=",
+          "Model/Length scale=1.2", "Load stepping/End time=4.2",
+          "Output/Checkpoint every=2"]
+# what depends on the machine, or on how often factors were at hand
+NOT_COMPARED = {"wall_time_s", "factorizations", "newton_iterations",
+                "linear_iterations", "coupling_change", "rejected_steps"}
+
+
+def run(ranks, directory, *options, settings=(), status=0):
+    command = sys.argv[2:] + ["-n", str(ranks), sys.argv[1], str(CASE),
+                              "--output", str(directory), *options]
+    for setting in (*COARSE, *settings):
+        command += ["--set", setting]
+    result = subprocess.run(command, stdout=subprocess.PIPE,
+                            stderr=subprocess.STDOUT, text=True, timeout=120)
+    assert result.returncode == status, (result.returncode, result.stdout)
+    return result.stdout
+
+
+def rows(directory):
+    with open(directory / "statistics.csv", encoding="utf-8") as file:
+        return list(csv.DictReader(file))
+
+
+def compare(found, expected):
+    """Equal to 1e-5 of the largest value of a column.
+
+    A continued run begins without factors, so its inexact iterations differ,
+    by less than the tolerance of the coupling (1e-3) and its contraction.
+    """
+    assert len(found) == len(expected), (len(found), len(expected))
+    for name in set(expected[0]) - NOT_COMPARED:
+        largest = max(abs(float(row[name])) for row in expected)
+        for one, other in zip(found, expected):
+            a, b = float(one[name]), float(other[name])
+            assert abs(a - b) <= 1e-5 * largest, (name, a, b)
+
+
+def break_newest_checkpoint(directory):
+    seals = (directory / "checkpoint").glob("generation-*/seal.txt")
+    newest = max(seals, key=lambda seal: int(seal.read_text().split()[0]))
+    with open(newest.parent / "mesh_fixed.data", "r+b") as file:
+        file.write(b"garbage")
+
+
+def main():
+    os.environ.update(OMPI_ALLOW_RUN_AS_ROOT="1", OMP_NUM_THREADS="1",
+                      OMPI_ALLOW_RUN_AS_ROOT_CONFIRM="1",
+                      OMPI_MCA_rmaps_base_oversubscribe="1")
+    with tempfile.TemporaryDirectory() as temporary:
+        whole = pathlib.Path(temporary) / "whole"
+        parts = pathlib.Path(temporary) / "parts"
+        run(1, whole)
+        # stopped at once, by the clock; then continued on two ranks
+        out = run(1, parts, settings=["Output/Wall time limit=1e-6"], status=5)
+        assert "continue with --resume" in out, out
+        run(2, parts, "--resume")
+        compare(rows(parts), rows(whole))
+        # the newest checkpoint is damaged: the one before it serves
+        break_newest_checkpoint(whole)
+        out = run(2, whole, "--resume")
+        assert "resumed at step 4" in out, out
+        compare(rows(whole), rows(parts))
+        # another case must not be continued
+        out = run(1, whole, "--resume", settings=["Material/Thickness=3"],
+                  status=2)
+        assert "Material/Thickness" in out, out
+
+
+if __name__ == "__main__":
+    main()
