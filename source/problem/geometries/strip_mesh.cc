@@ -236,7 +236,7 @@ namespace MixedCracks
   HoleBox
   hole_box(const StripMeasures &m)
   {
-    const double reach = std::max(1.25 * m.hole_radius, m.cell_size);
+    const double reach = std::max(1.5 * m.hole_radius, m.cell_size);
     HoleBox      box   = {m.hole_center[0] - reach,
                           m.hole_center[0] + reach,
                           m.hole_center[1] - reach,
