@@ -45,8 +45,7 @@ namespace MixedCracks
   public:
     explicit StatisticsTable(MPI_Comm communicator);
 
-    /// Open @p file_name; with @p append the rows that are there up to
-    /// @p last_step stay. Throws FileError. Collective.
+    /// Open @p file_name anew. Throws FileError. Collective.
     void open(const std::string &file_name, int dim);
 
     /// Rows kept by a resumed run, written anew. Collective.

@@ -53,12 +53,6 @@ namespace MixedCracks
     void
     seal(const fs::path &directory, const unsigned int step)
     {
-      const fs::path unfinished = directory / "seal.part";
-      {
-        std::ofstream file(unfinished);
-        file << step << '\n';
-      }
-      fs::remove(unfinished);
       const std::string text = contents(directory);
       std::ofstream     file(directory / seal_name);
       file << step << '\n' << text << std::flush;

@@ -72,7 +72,8 @@ namespace MixedCracks
       subdomain, "subdomain", DataOut<dim>::type_cell_data);
     data_out.build_patches(fields.mapping);
 
-    std::string message, name;
+    std::string name;
+    int         failures = 0;
     try
     {
       // one file for each rank: needs no parallel file system
@@ -81,13 +82,10 @@ namespace MixedCracks
     }
     catch (const std::exception &)
     {
-      message = "Output/Directory: the fields cannot be written in '" +
-                directory + "/fields'; is the disk full?";
+      failures = 1;
     }
     // any rank may be the one whose file failed
-    const bool failed =
-      Utilities::MPI::max(message.empty() ? 0 : 1, fields.communicator()) == 1;
-    if (failed)
+    if (Utilities::MPI::max(failures, fields.communicator()) > 0)
       throw FileError("Output/Directory: the fields cannot be written in '" +
                       directory + "/fields'; is the disk full?");
     times_and_names.emplace_back(state.time, "fields/" + name);
