@@ -2,6 +2,7 @@
 #ifndef mixed_cracks_assembly_assembler_h
 #define mixed_cracks_assembly_assembler_h
 
+#include <assembly/cell_table.h>
 #include <assembly/elastic_kernel.h>
 #include <assembly/phase_field_kernel.h>
 
@@ -55,17 +56,23 @@ namespace MixedCracks
     /// To be called when the mesh changed: no matrix is known any more.
     void reinit();
 
-    /// First two lines of (M5).
+    /// First two lines of (M5). The matrix and the phase field are computed
+    /// for the state of the last call.
     ElasticAssessment elastic_residual(const Vector      &elastic,
                                        const Vector      &lagged_phase_field,
                                        const Constraints &constraints,
                                        Vector            &residual);
 
-    /// Their Jacobian; remembers the state it is built for.
-    void elastic_matrix(const Vector                &elastic,
-                        const Vector                &lagged_phase_field,
-                        const Constraints           &constraints,
+    /// Their Jacobian. @p matrix holds the one of the last call, if there was
+    /// one since reinit(): where few cells changed, only these are added.
+    void elastic_matrix(const Constraints           &constraints,
                         LinearAlgebra::SparseMatrix &matrix);
+
+    bool
+    elastic_matrix_is_symmetric() const
+    {
+      return elastic_kernel.jacobian_is_symmetric();
+    }
 
     /// Nodal forces of a body force (N/mm^3) and of tractions (MPa) by
     /// boundary id, per mm thickness, added to @p forces.
@@ -77,9 +84,7 @@ namespace MixedCracks
       Vector            &forces) const;
 
     /// Third line of (M5) and, unless @p matrix is null, its Jacobian.
-    void phase_field_system(const Vector                &elastic,
-                            const Vector                &lagged_phase_field,
-                            const Vector                &phase_field,
+    void phase_field_system(const Vector                &phase_field,
                             const Constraints           &constraints,
                             Vector                      &residual,
                             LinearAlgebra::SparseMatrix *matrix);
@@ -96,23 +101,21 @@ namespace MixedCracks
   private:
     using Cell = typename dealii::DoFHandler<dim>::active_cell_iterator;
 
-    template <typename Body>
-    void for_each_cell(const Body &body) const;
-
-    void load_elastic(const Cell   &elastic_cell,
-                      const Cell   &phase_field_cell,
+    void load_elastic(unsigned int  cell,
                       const Vector &elastic,
                       const Vector &lagged_phase_field);
 
-    /// Distance of the loaded state to that of the last matrix, or, with
-    /// @p remember, make it that.
+    /// Distance of the present state to that of the last matrix.
     void compare_tangent(unsigned int       cell,
-                         bool               remember,
-                         ElasticAssessment &assessment);
+                         ElasticAssessment &assessment) const;
 
-    const Fields<dim>    &fields;
-    ElasticKernel<dim>    elastic_kernel;
-    PhaseFieldKernel<dim> phase_field_kernel;
+    /// Owned cells whose part of the matrix is another one now.
+    std::vector<unsigned int> changed_cells() const;
+
+    const Fields<dim>              &fields;
+    std::unique_ptr<CellTable<dim>> cells;
+    ElasticKernel<dim>              elastic_kernel;
+    PhaseFieldKernel<dim>           phase_field_kernel;
 
     // local work space
     dealii::Vector<double>                       local_elastic;
@@ -121,9 +124,11 @@ namespace MixedCracks
     std::vector<dealii::types::global_dof_index> elastic_indices;
     std::vector<dealii::types::global_dof_index> phase_field_indices;
 
-    // the state of the last matrix, per cell and quadrature point
-    std::vector<double> matrix_degradation;
-    std::vector<int>    matrix_branch;
+    // states of the last residual and of the last matrix, by owned cell and
+    // quadrature point
+    std::vector<ElasticPoint<dim>> present;
+    std::vector<ElasticPoint<dim>> of_matrix;
+    unsigned int                   n_corrections; // of the matrix, in a row
   };
 } // namespace MixedCracks
 

@@ -2,17 +2,28 @@
 #ifndef mixed_cracks_assembly_elastic_kernel_h
 #define mixed_cracks_assembly_elastic_kernel_h
 
-#include <deal.II/fe/fe_values.h>
+#include <assembly/cell_geometry.h>
 
 #include <deal.II/lac/full_matrix.h>
 #include <deal.II/lac/vector.h>
 
 #include <model/material.h>
 
+#include <array>
 #include <vector>
 
 namespace MixedCracks
 {
+  /// What the elastic response depends on at one quadrature point.
+  template <int dim>
+  struct ElasticPoint
+  {
+    dealii::SymmetricTensor<2, dim> strain;
+    double                          pressure;    ///< MPa
+    double                          degradation; ///< g
+    int                             branch;      ///< see Material::branch()
+  };
+
   /// Energy, residual and Jacobian of the elastic fields on one cell: the
   /// first two lines of (M5) for a given degradation. Works on local vectors
   /// only, per unit thickness.
@@ -21,12 +32,12 @@ namespace MixedCracks
   {
   public:
     ElasticKernel(const dealii::FiniteElement<dim> &element,
-                  const dealii::Mapping<dim>       &mapping,
                   const dealii::Quadrature<dim>    &quadrature,
                   const Material<dim>              &material,
                   bool                              mixed);
 
-    void reinit(const typename dealii::Triangulation<dim>::cell_iterator &cell);
+    /// @p geometry must stay until the next call.
+    void reinit(const CellGeometry<dim> &geometry);
 
     /// Evaluate strain, pressure and response at the quadrature points.
     /// @p local: values of the dofs of this cell; @p lagged_phase_field: one
@@ -34,12 +45,28 @@ namespace MixedCracks
     void set_state(const dealii::Vector<double> &local,
                    const std::vector<double>    &lagged_phase_field);
 
+    /// The same from points() of an earlier set_state().
+    void set_points(const ElasticPoint<dim> *first);
+
+    /// One for each quadrature point.
+    const std::vector<ElasticPoint<dim>> &
+    points() const
+    {
+      return states;
+    }
+
     /// As often as wanted after set_state(). Units: N/mm for the rows of the
     /// displacement, mm^2 for those of the pressure (in 2-d).
     void residual(dealii::Vector<double> &result) const;
 
     /// Derivative of residual() by the local values.
     void jacobian(dealii::FullMatrix<double> &result) const;
+
+    bool
+    jacobian_is_symmetric() const
+    {
+      return !mixed || material.mixed_is_symmetric();
+    }
 
     /// Degraded elastic energy of the cell, N (mJ per mm thickness).
     double energy() const;
@@ -49,22 +76,8 @@ namespace MixedCracks
     /// residual has to be compared with.
     std::pair<double, double> squared_scale() const;
 
-    /// What the Jacobian depends on at quadrature point @p q: degradation and
-    /// branch of the split; see Material::branch().
-    double
-    degradation(const unsigned int q) const
-    {
-      return points[q].degradation;
-    }
-
-    int
-    branch(const unsigned int q) const
-    {
-      return points[q].branch;
-    }
-
-    /// sigma+ : eps at quadrature point @p q, (M5) third line; MPa.
-    double driving_force(unsigned int q) const;
+    /// sigma+ : eps at a quadrature point, (M5) third line; MPa.
+    double driving_force(const ElasticPoint<dim> &point) const;
 
     /// Averages over the cell for the output, undegraded strain included.
     struct CellAverages
@@ -74,24 +87,8 @@ namespace MixedCracks
     };
     CellAverages averages() const;
 
-    unsigned int
-    n_quadrature_points() const
-    {
-      return fe_values.n_quadrature_points;
-    }
-
   private:
-    struct PointState
-    {
-      dealii::SymmetricTensor<2, dim> strain;
-      double                          pressure;
-      double                          degradation;
-      int                             branch;
-      ElasticResponse<dim>            response;
-    };
-
-    dealii::SymmetricTensor<2, dim> strain_of(unsigned int dof,
-                                              unsigned int q) const;
+    void evaluate_responses();
 
     void displacement_block(unsigned int                q,
                             dealii::FullMatrix<double> &result) const;
@@ -99,15 +96,16 @@ namespace MixedCracks
     void pressure_blocks(unsigned int                q,
                          dealii::FullMatrix<double> &result) const;
 
-    const Material<dim>      &material;
-    const bool                mixed;
-    dealii::FEValues<dim>     fe_values;
-    std::vector<unsigned int> components;        // of each local dof
-    std::vector<unsigned int> displacement_dofs; // local indices
-    std::vector<unsigned int> pressure_dofs;
-    std::vector<PointState>   points;
-    // stress caused by each displacement dof, times the weight; work space
-    mutable std::vector<dealii::SymmetricTensor<2, dim>> unit_stresses;
+    const Material<dim>     &material;
+    const bool               mixed;
+    ScalarShapes<dim>        displacement_shapes;
+    ScalarShapes<dim>        pressure_shapes;
+    const CellGeometry<dim> *geometry = nullptr;
+    // local index of component d of node a: displacement_dofs[a][d]
+    std::vector<std::array<unsigned int, dim>> displacement_dofs;
+    std::vector<unsigned int>                  pressure_dofs;
+    std::vector<ElasticPoint<dim>>             states;
+    std::vector<ElasticResponse<dim>>          responses;
   };
 } // namespace MixedCracks
 

@@ -2,7 +2,7 @@
 #ifndef mixed_cracks_assembly_phase_field_kernel_h
 #define mixed_cracks_assembly_phase_field_kernel_h
 
-#include <deal.II/fe/fe_values.h>
+#include <assembly/cell_geometry.h>
 
 #include <deal.II/lac/full_matrix.h>
 #include <deal.II/lac/vector.h>
@@ -21,11 +21,11 @@ namespace MixedCracks
   {
   public:
     PhaseFieldKernel(const dealii::FiniteElement<dim> &element,
-                     const dealii::Mapping<dim>       &mapping,
                      const dealii::Quadrature<dim>    &quadrature,
                      const Material<dim>              &material);
 
-    void reinit(const typename dealii::Triangulation<dim>::cell_iterator &cell);
+    /// @p geometry must stay until the next call.
+    void reinit(const CellGeometry<dim> &geometry);
 
     /// Phase field at the quadrature points from the dofs of this cell.
     void interpolate(const dealii::Vector<double> &local,
@@ -55,9 +55,10 @@ namespace MixedCracks
       double                 driving_force;
     };
 
-    const Material<dim>    &material;
-    dealii::FEValues<dim>   fe_values;
-    std::vector<PointState> points;
+    const Material<dim>     &material;
+    ScalarShapes<dim>        shapes;
+    const CellGeometry<dim> *geometry = nullptr;
+    std::vector<PointState>  points;
   };
 } // namespace MixedCracks
 

@@ -6,6 +6,8 @@
 #include <core/step_elastic.h>
 #include <core/step_phase_field.h>
 
+#include <solvers/fixed_point.h>
+
 #include <functional>
 
 namespace MixedCracks
@@ -19,13 +21,12 @@ namespace MixedCracks
       extrapolated,
       iterated
     };
-    Kind   kind            = Kind::iterated;
-    double tolerance       = 1e-3; ///< of max|phi - phi~|
-    double over_relaxation = 1.;
-    /// largest factor of Aitken's acceleration; off when not larger than
-    /// over_relaxation
-    double       largest_acceleration = 1.;
-    unsigned int max_iterations       = 2000;
+    Kind   kind      = Kind::iterated;
+    double tolerance = 1e-3; ///< of max|phi - phi~|
+    /// the same in a step in which a crack runs
+    double            running_tolerance = 1e-3;
+    FixedPointOptions acceleration;
+    unsigned int      max_iterations = 2000;
   };
 
   /// What a load step came to; the same on every rank.
@@ -67,11 +68,11 @@ namespace MixedCracks
                       State                 &trial);
 
   private:
+    bool is_settled(const StepOutcome &outcome) const;
+
     void start_lagged_field(const State &accepted, State &trial) const;
 
     void advance_lagged_field(const State &accepted, State &trial);
-
-    double acceleration(const LinearAlgebra::Vector &difference) const;
 
     NewtonOutcome solve_elastic(const StepOutcome &so_far, State &trial);
 
@@ -93,9 +94,7 @@ namespace MixedCracks
     const MPI_Comm              communicator;
     Log                        &log;
 
-    // of the last advance of the lagged field: phi - phi~ and its factor
-    LinearAlgebra::Vector last_difference;
-    double                last_factor = 0.;
+    FixedPointAcceleration acceleration;
   };
 } // namespace MixedCracks
 

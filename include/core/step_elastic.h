@@ -81,7 +81,7 @@ namespace MixedCracks
 
     ResidualSize evaluate_residual(const State &trial);
 
-    LinearOutcome update_matrix(const State &trial, bool force);
+    LinearOutcome update_matrix(bool force);
 
     const Fields<dim>      &fields;
     const Constraints<dim> &constraints;

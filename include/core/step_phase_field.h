@@ -38,7 +38,8 @@ namespace MixedCracks
     /// To be called when the mesh changed.
     void reinit();
 
-    /// Solve for trial.phase_field.
+    /// Solve for trial.phase_field with the elastic fields the assembler saw
+    /// last.
     ActiveSetOutcome
     solve(const State &accepted, const FixedPhaseField &fixed, State &trial);
 

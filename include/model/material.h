@@ -71,6 +71,14 @@ namespace MixedCracks
     double
     elastic_energy(const Strain &strain, double pressure, double g) const;
 
+    /// Whether the derivatives of mixed() form a symmetric matrix for every
+    /// state; those of eliminated() always do.
+    bool
+    mixed_is_symmetric() const
+    {
+      return pressure_law->is_symmetric();
+    }
+
     /// A number that two points share exactly when mixed() (or eliminated(),
     /// with pressure 0) gives them the same derivatives for the same g;
     /// negative when it cannot be said.

@@ -37,6 +37,10 @@ namespace MixedCracks
     /// @p g: degradation in (0, 1]. @p tension: p is degraded here, because
     /// it is positive or the energy split does not distinguish.
     virtual PressureCoefficients coefficients(double g, bool tension) const = 0;
+
+    /// Whether stress and divergence agree for every g and sign, so that the
+    /// tangent of the mixed formulation is symmetric.
+    virtual bool is_symmetric() const = 0;
   };
 
   /// Constants of a pressure law.

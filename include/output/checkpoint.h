@@ -28,6 +28,7 @@ namespace MixedCracks
     double       peak_force    = 0.; ///< N
     double       external_work = 0.; ///< mJ
     unsigned int peak_step     = 0;
+    unsigned int steps_to_wait = 0; ///< before the load step may grow
 
     std::vector<StatisticsRow>                  rows;
     std::vector<std::pair<double, std::string>> field_files;

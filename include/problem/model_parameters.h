@@ -24,9 +24,11 @@ namespace MixedCracks
     std::string length_scale        = "2*h";
     std::string residual_stiffness  = "0.001";
     std::string coupling            = "iterated";
-    double      coupling_tolerance  = 1e-3;
+    double      coupling_tolerance  = 1e-4;
+    double      running_tolerance   = 0.02;
     double      over_relaxation     = 1.5;
-    double      acceleration        = 5.;
+    double      acceleration        = 20.;
+    int         anderson_depth      = 5;
     int         max_iterations      = 2000;
 
     /// Enters the subsection itself.

@@ -4,9 +4,6 @@
 
 #include <core/linear_algebra.h>
 
-#include <Amesos_BaseSolver.h>
-#include <Epetra_LinearProblem.h>
-
 #include <memory>
 #include <string>
 #include <vector>
@@ -21,27 +18,48 @@ namespace MixedCracks
     std::string  reason; ///< why it failed, in words
   };
 
-  /// A sparse direct solver of Trilinos, through Amesos itself: analysis once
-  /// per pattern, factorisation when values changed, solution as often as
-  /// wanted. (TrilinosWrappers::SolverDirect redoes the analysis each time,
-  /// and crashes on a second initialize() with MUMPS.)
+  /// What is known about a matrix before its values are.
+  enum class MatrixSymmetry
+  {
+    symmetric, ///< half the work where the package can use it
+    none
+  };
+
+  /// One package behind DirectSolver; the same contract.
+  class DirectSolverPackage
+  {
+  public:
+    virtual ~DirectSolverPackage() = default;
+
+    virtual LinearOutcome factorize() = 0;
+
+    virtual LinearOutcome
+    solve(LinearAlgebra::Vector       &solution,
+          const LinearAlgebra::Vector &right_hand_side) = 0;
+  };
+
+  /// A sparse direct solver: analysis once per pattern, factorisation when
+  /// values changed, solution as often as wanted. MUMPS through its own
+  /// interface, or whatever Amesos of Trilinos offers. Collective.
   class DirectSolver
   {
   public:
-    DirectSolver();
+    /// @p package: one of available_packages(), empty for the first of them.
+    explicit DirectSolver(const std::string &package = "");
 
     /// Take the matrix, whose values may change later but not its pattern,
     /// and analyse the pattern. The matrix must outlive the solver.
-    LinearOutcome initialize(const LinearAlgebra::SparseMatrix &matrix);
+    LinearOutcome initialize(const LinearAlgebra::SparseMatrix &matrix,
+                             MatrixSymmetry                     symmetry);
 
     /// Factorise the present values.
     LinearOutcome factorize();
 
     /// matrix * @p solution = @p right_hand_side with the last factors.
     LinearOutcome solve(LinearAlgebra::Vector       &solution,
-                        const LinearAlgebra::Vector &right_hand_side) const;
+                        const LinearAlgebra::Vector &right_hand_side);
 
-    /// The package in use, as "MUMPS".
+    /// The package in use, as "MUMPS" or "Amesos Klu".
     const std::string &
     package() const
     {
@@ -52,9 +70,8 @@ namespace MixedCracks
     static std::vector<std::string> available_packages();
 
   private:
-    std::string                           name;
-    std::unique_ptr<Epetra_LinearProblem> problem;
-    std::unique_ptr<Amesos_BaseSolver>    solver;
+    std::string                          name;
+    std::unique_ptr<DirectSolverPackage> solver;
   };
 } // namespace MixedCracks
 

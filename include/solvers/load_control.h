@@ -78,8 +78,18 @@ namespace MixedCracks
       return rejected;
     }
 
+    /// Easy steps to come before the step grows again.
+    unsigned int
+    steps_to_wait() const
+    {
+      return to_wait;
+    }
+
     /// Continue from a checkpoint.
-    void restore(double time, double step, double peak_force);
+    void restore(double       time,
+                 double       step,
+                 double       peak_force,
+                 unsigned int steps_to_wait);
 
   private:
     void limit_step();
@@ -89,6 +99,7 @@ namespace MixedCracks
     double         time_step;
     double         peak     = 0.;
     unsigned int   rejected = 0;
+    unsigned int   to_wait  = 0; // easy steps before the step may grow
   };
 } // namespace MixedCracks
 

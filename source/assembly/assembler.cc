@@ -3,23 +3,43 @@
 
 #include <deal.II/base/mpi.h>
 
+#include <algorithm>
+#include <cmath>
 #include <limits>
+#include <numeric>
 
 namespace MixedCracks
 {
   using namespace dealii;
+
+  namespace
+  {
+    // Above this part of changed cells a new matrix is less work than
+    // correcting the old one, which evaluates changed cells twice ...
+    constexpr double largest_changed_part = 0.25;
+    // ... and once in a while rounding is swept out.
+    constexpr unsigned int most_corrections = 50;
+
+    template <int dim>
+    bool
+    same_tangent(const ElasticPoint<dim> &a, const ElasticPoint<dim> &b)
+    {
+      return a.degradation == b.degradation && a.branch == b.branch &&
+             a.branch >= 0;
+    }
+  } // namespace
+
+
 
   template <int dim>
   Assembler<dim>::Assembler(const Fields<dim>   &fields,
                             const Material<dim> &material)
     : fields(fields)
     , elastic_kernel(fields.elastic.get_fe(),
-                     fields.mapping,
                      fields.quadrature,
                      material,
                      fields.layout.mixed)
     , phase_field_kernel(fields.phase_field.get_fe(),
-                         fields.mapping,
                          fields.quadrature,
                          material)
     , local_elastic(fields.elastic.get_fe().n_dofs_per_cell())
@@ -36,43 +56,26 @@ namespace MixedCracks
   void
   Assembler<dim>::reinit()
   {
-    const std::size_t n_points =
-      static_cast<std::size_t>(
-        fields.elastic.get_triangulation().n_active_cells()) *
-      fields.quadrature.size();
+    cells = std::make_unique<CellTable<dim>>(fields);
+    present.resize(cells->n_cells() * fields.quadrature.size());
+    of_matrix.resize(present.size());
     // no degradation is as far off as this one
-    matrix_degradation.assign(n_points, std::numeric_limits<double>::max());
-    matrix_branch.assign(n_points, -1);
-  }
-
-
-
-  template <int dim>
-  template <typename Body>
-  void
-  Assembler<dim>::for_each_cell(const Body &body) const
-  {
-    for (const Cell &cell : fields.elastic.active_cell_iterators())
-      if (cell->is_locally_owned())
-        body(cell,
-             Cell(&fields.elastic.get_triangulation(),
-                  cell->level(),
-                  cell->index(),
-                  &fields.phase_field));
+    for (ElasticPoint<dim> &point : of_matrix)
+      point = {{}, 0., std::numeric_limits<double>::max(), -1};
+    n_corrections = most_corrections;
   }
 
 
 
   template <int dim>
   void
-  Assembler<dim>::load_elastic(const Cell   &elastic_cell,
-                               const Cell   &phase_field_cell,
-                               const Vector &elastic,
-                               const Vector &lagged_phase_field)
+  Assembler<dim>::load_elastic(const unsigned int cell,
+                               const Vector      &elastic,
+                               const Vector      &lagged_phase_field)
   {
-    elastic_kernel.reinit(elastic_cell);
-    elastic_cell->get_dof_values(elastic, local_elastic);
-    phase_field_cell->get_dof_values(lagged_phase_field, local_phase_field);
+    elastic_kernel.reinit(cells->geometry(cell));
+    cells->elastic.read(cell, elastic, local_elastic);
+    cells->phase_field.read(cell, lagged_phase_field, local_phase_field);
     phase_field_kernel.interpolate(local_phase_field, lagged_values);
     elastic_kernel.set_state(local_elastic, lagged_values);
   }
@@ -82,26 +85,18 @@ namespace MixedCracks
   template <int dim>
   void
   Assembler<dim>::compare_tangent(const unsigned int cell,
-                                  const bool         remember,
-                                  ElasticAssessment &assessment)
+                                  ElasticAssessment &assessment) const
   {
-    for (unsigned int q = 0; q < elastic_kernel.n_quadrature_points(); ++q)
+    const std::size_t n = fields.quadrature.size();
+    for (std::size_t at = cell * n; at < (cell + 1) * n; ++at)
     {
-      const std::size_t at =
-        static_cast<std::size_t>(cell) * fields.quadrature.size() + q;
-      const double degradation = elastic_kernel.degradation(q);
-      const int    branch      = elastic_kernel.branch(q);
+      const ElasticPoint<dim> &now = present[at], &then = of_matrix[at];
       assessment.degradation_change =
         std::max(assessment.degradation_change,
-                 std::abs(degradation - matrix_degradation[at]) /
-                   std::min(degradation, matrix_degradation[at]));
-      if (branch < 0 || branch != matrix_branch[at])
+                 std::abs(now.degradation - then.degradation) /
+                   std::min(now.degradation, then.degradation));
+      if (now.branch < 0 || now.branch != then.branch)
         assessment.branch_changes += 1.;
-      if (remember)
-      {
-        matrix_degradation[at] = degradation;
-        matrix_branch[at]      = branch;
-      }
     }
   }
 
@@ -114,20 +109,24 @@ namespace MixedCracks
                                    const Constraints &constraints,
                                    Vector            &residual)
   {
-    residual = 0.;
+    cells->elastic.begin_sum(residual);
     ElasticAssessment      assessment{0., 0., 0., 0.};
     dealii::Vector<double> local(local_elastic.size());
-    for_each_cell([&](const Cell &cell, const Cell &phase_field_cell) {
-      load_elastic(cell, phase_field_cell, elastic, lagged_phase_field);
+    const std::size_t      n = fields.quadrature.size();
+    for (unsigned int cell = 0; cell < cells->n_cells(); ++cell)
+    {
+      load_elastic(cell, elastic, lagged_phase_field);
+      std::copy(elastic_kernel.points().begin(),
+                elastic_kernel.points().end(),
+                present.begin() + cell * n);
       elastic_kernel.residual(local);
       const auto [displacement, pressure] = elastic_kernel.squared_scale();
       assessment.displacement_scale += displacement;
       assessment.pressure_scale += pressure;
-      compare_tangent(cell->active_cell_index(), false, assessment);
-      cell->get_dof_indices(elastic_indices);
-      constraints.distribute_local_to_global(local, elastic_indices, residual);
-    });
-    residual.compress(VectorOperation::add);
+      compare_tangent(cell, assessment);
+      cells->elastic.add(cell, local, constraints, residual);
+    }
+    cells->elastic.end_sum(residual);
 
     const MPI_Comm communicator = fields.communicator();
     const auto     sum          = [&](const double value) {
@@ -142,62 +141,99 @@ namespace MixedCracks
 
 
   template <int dim>
-  void
-  Assembler<dim>::elastic_matrix(const Vector      &elastic,
-                                 const Vector      &lagged_phase_field,
-                                 const Constraints &constraints,
-                                 LinearAlgebra::SparseMatrix &matrix)
+  std::vector<unsigned int>
+  Assembler<dim>::changed_cells() const
   {
-    matrix = 0.;
-    ElasticAssessment  unused{0., 0., 0., 0.};
-    FullMatrix<double> local(local_elastic.size(), local_elastic.size());
-    for_each_cell([&](const Cell &cell, const Cell &phase_field_cell) {
-      load_elastic(cell, phase_field_cell, elastic, lagged_phase_field);
-      elastic_kernel.jacobian(local);
-      compare_tangent(cell->active_cell_index(), true, unused);
-      cell->get_dof_indices(elastic_indices);
-      constraints.distribute_local_to_global(local, elastic_indices, matrix);
-    });
-    matrix.compress(VectorOperation::add);
+    const std::size_t         n = fields.quadrature.size();
+    std::vector<unsigned int> result;
+    for (unsigned int cell = 0; cell < cells->n_cells(); ++cell)
+      for (std::size_t at = cell * n; at < (cell + 1) * n; ++at)
+        if (!same_tangent(present[at], of_matrix[at]))
+        {
+          result.push_back(cell);
+          break;
+        }
+    return result;
   }
 
 
 
   template <int dim>
   void
-  Assembler<dim>::phase_field_system(const Vector      &elastic,
-                                     const Vector      &lagged_phase_field,
-                                     const Vector      &phase_field,
-                                     const Constraints &constraints,
-                                     Vector            &residual,
+  Assembler<dim>::elastic_matrix(const Constraints           &constraints,
+                                 LinearAlgebra::SparseMatrix &matrix)
+  {
+    std::vector<unsigned int> changed = changed_cells();
+    const double              n_changed =
+      Utilities::MPI::sum(1. * changed.size(), fields.communicator());
+    const double n_active =
+      fields.elastic.get_triangulation().n_global_active_cells();
+    const bool correct = n_corrections < most_corrections &&
+                         n_changed < largest_changed_part * n_active;
+    n_corrections = correct ? n_corrections + 1 : 0;
+    if (!correct)
+    {
+      matrix = 0.;
+      changed.resize(cells->n_cells());
+      std::iota(changed.begin(), changed.end(), 0);
+    }
+    FullMatrix<double> local(local_elastic.size(), local_elastic.size());
+    FullMatrix<double> old(local);
+    const std::size_t  n = fields.quadrature.size();
+    for (const unsigned int cell : changed)
+    {
+      elastic_kernel.reinit(cells->geometry(cell));
+      if (correct)
+      {
+        elastic_kernel.set_points(&of_matrix[cell * n]);
+        elastic_kernel.jacobian(old);
+      }
+      elastic_kernel.set_points(&present[cell * n]);
+      elastic_kernel.jacobian(local);
+      if (correct)
+        local.add(-1., old);
+      cells->elastic.global_indices(cell, elastic_indices);
+      constraints.distribute_local_to_global(local, elastic_indices, matrix);
+    }
+    matrix.compress(VectorOperation::add);
+    of_matrix = present;
+  }
+
+
+
+  template <int dim>
+  void
+  Assembler<dim>::phase_field_system(const Vector                &phase_field,
+                                     const Constraints           &constraints,
+                                     Vector                      &residual,
                                      LinearAlgebra::SparseMatrix *matrix)
   {
-    residual = 0.;
+    cells->phase_field.begin_sum(residual);
     if (matrix != nullptr)
       *matrix = 0.;
     const unsigned int     n = local_phase_field.size();
     dealii::Vector<double> local(n);
     FullMatrix<double>     local_matrix(n, n);
     std::vector<double>    driving_force(fields.quadrature.size());
-    for_each_cell([&](const Cell &cell, const Cell &phase_field_cell) {
-      load_elastic(cell, phase_field_cell, elastic, lagged_phase_field);
+    for (unsigned int cell = 0; cell < cells->n_cells(); ++cell)
+    {
       for (unsigned int q = 0; q < driving_force.size(); ++q)
-        driving_force[q] = elastic_kernel.driving_force(q);
-      phase_field_kernel.reinit(phase_field_cell);
-      phase_field_cell->get_dof_values(phase_field, local_phase_field);
+        driving_force[q] = elastic_kernel.driving_force(
+          present[cell * driving_force.size() + q]);
+      phase_field_kernel.reinit(cells->geometry(cell));
+      cells->phase_field.read(cell, phase_field, local_phase_field);
       phase_field_kernel.set_state(local_phase_field, driving_force);
       phase_field_kernel.residual(local);
-      phase_field_cell->get_dof_indices(phase_field_indices);
-      constraints.distribute_local_to_global(
-        local, phase_field_indices, residual);
+      cells->phase_field.add(cell, local, constraints, residual);
       if (matrix != nullptr)
       {
         phase_field_kernel.jacobian(local_matrix);
+        cells->phase_field.global_indices(cell, phase_field_indices);
         constraints.distribute_local_to_global(
           local_matrix, phase_field_indices, *matrix);
       }
-    });
-    residual.compress(VectorOperation::add);
+    }
+    cells->phase_field.end_sum(residual);
     if (matrix != nullptr)
       matrix->compress(VectorOperation::add);
   }
@@ -208,15 +244,15 @@ namespace MixedCracks
   void
   Assembler<dim>::lumped_mass(const Constraints &constraints, Vector &mass)
   {
-    mass = 0.;
+    cells->phase_field.begin_sum(mass);
     dealii::Vector<double> local(local_phase_field.size());
-    for_each_cell([&](const Cell &, const Cell &phase_field_cell) {
-      phase_field_kernel.reinit(phase_field_cell);
+    for (unsigned int cell = 0; cell < cells->n_cells(); ++cell)
+    {
+      phase_field_kernel.reinit(cells->geometry(cell));
       phase_field_kernel.lumped_mass(local);
-      phase_field_cell->get_dof_indices(phase_field_indices);
-      constraints.distribute_local_to_global(local, phase_field_indices, mass);
-    });
-    mass.compress(VectorOperation::add);
+      cells->phase_field.add(cell, local, constraints, mass);
+    }
+    cells->phase_field.end_sum(mass);
   }
 
 
@@ -229,14 +265,15 @@ namespace MixedCracks
   {
     Energies                  sum;
     const std::vector<double> nothing(fields.quadrature.size(), 0.);
-    for_each_cell([&](const Cell &cell, const Cell &phase_field_cell) {
-      load_elastic(cell, phase_field_cell, elastic, lagged_phase_field);
+    for (unsigned int cell = 0; cell < cells->n_cells(); ++cell)
+    {
+      load_elastic(cell, elastic, lagged_phase_field);
       sum.elastic += elastic_kernel.energy();
-      phase_field_kernel.reinit(phase_field_cell);
-      phase_field_cell->get_dof_values(phase_field, local_phase_field);
+      phase_field_kernel.reinit(cells->geometry(cell));
+      cells->phase_field.read(cell, phase_field, local_phase_field);
       phase_field_kernel.set_state(local_phase_field, nothing);
       sum.crack += phase_field_kernel.energy();
-    });
+    }
     sum.elastic = Utilities::MPI::sum(sum.elastic, fields.communicator());
     sum.crack   = Utilities::MPI::sum(sum.crack, fields.communicator());
     return sum;
@@ -261,18 +298,19 @@ namespace MixedCracks
         values.reinit(n_cells);
       values(cell) = static_cast<float>(value);
     };
-    for_each_cell([&](const Cell &cell, const Cell &phase_field_cell) {
-      load_elastic(cell, phase_field_cell, elastic, lagged_phase_field);
+    for (unsigned int cell = 0; cell < cells->n_cells(); ++cell)
+    {
+      load_elastic(cell, elastic, lagged_phase_field);
       const auto         averages = elastic_kernel.averages();
-      const unsigned int index    = cell->active_cell_index();
+      const unsigned int index    = cells->active_index(cell);
       for (unsigned int i = 0; i < dim; ++i)
         for (unsigned int j = i; j < dim; ++j)
           set(std::string("stress_") + axes[i] + axes[j],
               index,
               averages.stress[i][j]);
       set("strain_energy_density", index, averages.energy_density);
-      set("material", index, cell->material_id());
-    });
+      set("material", index, cells->material(cell));
+    }
     return data;
   }
 

@@ -5,52 +5,51 @@ namespace MixedCracks
 {
   using namespace dealii;
 
+  namespace
+  {
+    // the element of the pressure, or any other where there is none
+    template <int dim>
+    const FiniteElement<dim> &
+    pressure_element(const FiniteElement<dim> &element, const bool mixed)
+    {
+      return element.base_element(mixed ? 1 : 0);
+    }
+  } // namespace
+
+
+
   template <int dim>
   ElasticKernel<dim>::ElasticKernel(const FiniteElement<dim> &element,
-                                    const Mapping<dim>       &mapping,
                                     const Quadrature<dim>    &quadrature,
                                     const Material<dim>      &material,
                                     const bool                mixed)
     : material(material)
     , mixed(mixed)
-    , fe_values(mapping,
-                element,
-                quadrature,
-                update_values | update_gradients | update_JxW_values)
-    , points(quadrature.size())
+    , displacement_shapes(element.base_element(0), quadrature)
+    , pressure_shapes(pressure_element(element, mixed), quadrature)
+    , displacement_dofs(displacement_shapes.size())
+    , pressure_dofs(mixed ? pressure_shapes.size() : 0)
+    , states(quadrature.size())
+    , responses(quadrature.size())
   {
     for (unsigned int i = 0; i < element.n_dofs_per_cell(); ++i)
     {
-      components.push_back(element.system_to_component_index(i).first);
-      (components.back() < dim ? displacement_dofs : pressure_dofs)
-        .push_back(i);
+      const auto [component, node] = element.system_to_component_index(i);
+      if (component < dim)
+        displacement_dofs[node][component] = i;
+      else
+        pressure_dofs[node] = i;
     }
-    unit_stresses.resize(displacement_dofs.size());
   }
 
 
 
   template <int dim>
   void
-  ElasticKernel<dim>::reinit(
-    const typename Triangulation<dim>::cell_iterator &cell)
+  ElasticKernel<dim>::reinit(const CellGeometry<dim> &new_geometry)
   {
-    fe_values.reinit(cell);
-  }
-
-
-
-  template <int dim>
-  SymmetricTensor<2, dim>
-  ElasticKernel<dim>::strain_of(const unsigned int dof,
-                                const unsigned int q) const
-  {
-    const Tensor<1, dim>   &gradient  = fe_values.shape_grad(dof, q);
-    const unsigned int      component = components[dof];
-    SymmetricTensor<2, dim> strain;
-    for (unsigned int d = 0; d < dim; ++d)
-      strain[component][d] = (d == component ? 1. : 0.5) * gradient[d];
-    return strain;
+    geometry = &new_geometry;
+    displacement_shapes.reinit(new_geometry);
   }
 
 
@@ -60,12 +59,14 @@ namespace MixedCracks
   ElasticKernel<dim>::set_state(const Vector<double>      &local,
                                 const std::vector<double> &lagged_phase_field)
   {
-    for (unsigned int q = 0; q < points.size(); ++q)
+    for (unsigned int q = 0; q < states.size(); ++q)
     {
-      PointState    &point = points[q];
-      Tensor<2, dim> gradient;
-      for (const unsigned int i : displacement_dofs)
-        gradient[components[i]] += local(i) * fe_values.shape_grad(i, q);
+      ElasticPoint<dim> &point = states[q];
+      Tensor<2, dim>     gradient;
+      for (unsigned int a = 0; a < displacement_dofs.size(); ++a)
+        for (unsigned int d = 0; d < dim; ++d)
+          gradient[d] +=
+            local(displacement_dofs[a][d]) * displacement_shapes.gradient(a, q);
       point.strain = symmetrize(gradient);
       // interpolating phi = 1 leaves rounding; the intact material must not
       // see it, since an unchanged matrix is not built or factorised again
@@ -75,20 +76,40 @@ namespace MixedCracks
       if (mixed)
       {
         point.pressure = 0.;
-        for (const unsigned int i : pressure_dofs)
-          point.pressure += local(i) * fe_values.shape_value(i, q);
-        point.response =
-          material.mixed(point.strain, point.pressure, point.degradation);
+        for (unsigned int k = 0; k < pressure_dofs.size(); ++k)
+          point.pressure +=
+            local(pressure_dofs[k]) * pressure_shapes.value(k, q);
       }
       else
-      {
         point.pressure = material.pressure(point.strain, point.degradation);
-        point.response = material.eliminated(point.strain, point.degradation);
-      }
       point.branch = point.degradation == 1.
                        ? 0
                        : material.branch(point.strain, point.pressure);
     }
+    evaluate_responses();
+  }
+
+
+
+  template <int dim>
+  void
+  ElasticKernel<dim>::set_points(const ElasticPoint<dim> *first)
+  {
+    std::copy(first, first + states.size(), states.begin());
+    evaluate_responses();
+  }
+
+
+
+  template <int dim>
+  void
+  ElasticKernel<dim>::evaluate_responses()
+  {
+    for (unsigned int q = 0; q < states.size(); ++q)
+      responses[q] =
+        mixed ? material.mixed(
+                  states[q].strain, states[q].pressure, states[q].degradation)
+              : material.eliminated(states[q].strain, states[q].degradation);
   }
 
 
@@ -98,15 +119,20 @@ namespace MixedCracks
   ElasticKernel<dim>::residual(Vector<double> &result) const
   {
     result = 0.;
-    for (unsigned int q = 0; q < points.size(); ++q)
+    for (unsigned int q = 0; q < states.size(); ++q)
     {
-      const double         weight = fe_values.JxW(q);
-      const Tensor<2, dim> stress = weight * points[q].response.stress;
-      for (const unsigned int i : displacement_dofs)
-        result(i) += stress[components[i]] * fe_values.shape_grad(i, q);
-      for (const unsigned int i : pressure_dofs)
-        result(i) +=
-          points[q].response.constraint * fe_values.shape_value(i, q) * weight;
+      const double         weight = geometry->weights[q];
+      const Tensor<2, dim> stress = weight * responses[q].stress;
+      for (unsigned int a = 0; a < displacement_dofs.size(); ++a)
+      {
+        const Tensor<1, dim> force =
+          stress * displacement_shapes.gradient(a, q);
+        for (unsigned int d = 0; d < dim; ++d)
+          result(displacement_dofs[a][d]) += force[d];
+      }
+      for (unsigned int k = 0; k < pressure_dofs.size(); ++k)
+        result(pressure_dofs[k]) +=
+          responses[q].constraint * pressure_shapes.value(k, q) * weight;
     }
   }
 
@@ -117,20 +143,30 @@ namespace MixedCracks
   ElasticKernel<dim>::displacement_block(const unsigned int  q,
                                          FullMatrix<double> &result) const
   {
-    const double weight = fe_values.JxW(q);
-    for (unsigned int a = 0; a < displacement_dofs.size(); ++a)
-      unit_stresses[a] = points[q].response.stress_by_strain *
-                         (weight * strain_of(displacement_dofs[a], q));
-    // the tangent derives from an energy, hence is symmetric
+    const SymmetricTensor<4, dim> tangent =
+      geometry->weights[q] * responses[q].stress_by_strain;
     for (unsigned int b = 0; b < displacement_dofs.size(); ++b)
     {
-      const unsigned int   j = displacement_dofs[b];
-      const Tensor<2, dim> stress(unit_stresses[b]);
-      for (unsigned int a = 0; a <= b; ++a)
+      // stresses caused by the components of node b
+      std::array<Tensor<2, dim>, dim> stresses;
+      for (unsigned int e = 0; e < dim; ++e)
       {
-        const unsigned int i = displacement_dofs[a];
-        result(i, j) += stress[components[i]] * fe_values.shape_grad(i, q);
+        SymmetricTensor<2, dim> strain;
+        for (unsigned int d = 0; d < dim; ++d)
+          strain[e][d] =
+            (d == e ? 1. : 0.5) * displacement_shapes.gradient(b, q)[d];
+        stresses[e] = Tensor<2, dim>(tangent * strain);
       }
+      // the tangent derives from an energy, hence is symmetric
+      for (unsigned int a = 0; a <= b; ++a)
+        for (unsigned int e = 0; e < dim; ++e)
+        {
+          const Tensor<1, dim> force =
+            stresses[e] * displacement_shapes.gradient(a, q);
+          for (unsigned int d = 0; d < dim; ++d)
+            result(displacement_dofs[a][d], displacement_dofs[b][e]) +=
+              force[d];
+        }
     }
   }
 
@@ -141,21 +177,23 @@ namespace MixedCracks
   ElasticKernel<dim>::pressure_blocks(const unsigned int  q,
                                       FullMatrix<double> &result) const
   {
-    const double                weight   = fe_values.JxW(q);
-    const ElasticResponse<dim> &response = points[q].response;
-    for (const unsigned int k : pressure_dofs)
+    const ElasticResponse<dim> &response = responses[q];
+    for (unsigned int l = 0; l < pressure_dofs.size(); ++l)
     {
-      const double shape = weight * fe_values.shape_value(k, q);
-      for (const unsigned int i : displacement_dofs)
-      {
-        const double divergence =
-          fe_values.shape_grad(i, q)[components[i]] * shape;
-        result(i, k) += response.stress_by_pressure * divergence;
-        result(k, i) += response.constraint_by_trace * divergence;
-      }
-      for (const unsigned int l : pressure_dofs)
-        result(k, l) +=
-          response.constraint_by_pressure * shape * fe_values.shape_value(l, q);
+      const unsigned int k = pressure_dofs[l];
+      const double shape   = geometry->weights[q] * pressure_shapes.value(l, q);
+      for (unsigned int a = 0; a < displacement_dofs.size(); ++a)
+        for (unsigned int d = 0; d < dim; ++d)
+        {
+          const unsigned int i = displacement_dofs[a][d];
+          const double       divergence =
+            displacement_shapes.gradient(a, q)[d] * shape;
+          result(i, k) += response.stress_by_pressure * divergence;
+          result(k, i) += response.constraint_by_trace * divergence;
+        }
+      for (unsigned int m = 0; m < pressure_dofs.size(); ++m)
+        result(k, pressure_dofs[m]) +=
+          response.constraint_by_pressure * shape * pressure_shapes.value(m, q);
     }
   }
 
@@ -166,7 +204,7 @@ namespace MixedCracks
   ElasticKernel<dim>::jacobian(FullMatrix<double> &result) const
   {
     result = 0.;
-    for (unsigned int q = 0; q < points.size(); ++q)
+    for (unsigned int q = 0; q < states.size(); ++q)
     {
       displacement_block(q, result);
       if (mixed)
@@ -174,8 +212,9 @@ namespace MixedCracks
     }
     for (unsigned int b = 0; b < displacement_dofs.size(); ++b)
       for (unsigned int a = 0; a < b; ++a)
-        result(displacement_dofs[b], displacement_dofs[a]) =
-          result(displacement_dofs[a], displacement_dofs[b]);
+        for (const unsigned int j : displacement_dofs[b])
+          for (const unsigned int i : displacement_dofs[a])
+            result(j, i) = result(i, j);
   }
 
 
@@ -185,10 +224,10 @@ namespace MixedCracks
   ElasticKernel<dim>::energy() const
   {
     double sum = 0.;
-    for (unsigned int q = 0; q < points.size(); ++q)
-      sum += fe_values.JxW(q) * material.elastic_energy(points[q].strain,
-                                                        points[q].pressure,
-                                                        points[q].degradation);
+    for (unsigned int q = 0; q < states.size(); ++q)
+      sum += geometry->weights[q] *
+             material.elastic_energy(
+               states[q].strain, states[q].pressure, states[q].degradation);
     return sum;
   }
 
@@ -200,16 +239,13 @@ namespace MixedCracks
   {
     std::pair<double, double> result{0., 0.};
     double                    stress = 0., strain = 0.;
-    for (unsigned int q = 0; q < points.size(); ++q)
+    for (unsigned int q = 0; q < states.size(); ++q)
     {
-      stress += points[q].response.stress.norm() * fe_values.JxW(q);
-      strain += points[q].strain.norm() * fe_values.JxW(q);
+      stress += responses[q].stress.norm() * geometry->weights[q];
+      strain += states[q].strain.norm() * geometry->weights[q];
     }
     // a stress times the gradient of a shape function, of the order of 1/h
-    double volume = 0.;
-    for (unsigned int q = 0; q < points.size(); ++q)
-      volume += fe_values.JxW(q);
-    const double h = std::pow(volume, 1. / dim);
+    const double h = std::pow(geometry->volume(), 1. / dim);
     result.first   = (stress / h) * (stress / h);
     result.second  = strain * strain;
     return result;
@@ -219,10 +255,10 @@ namespace MixedCracks
 
   template <int dim>
   double
-  ElasticKernel<dim>::driving_force(const unsigned int q) const
+  ElasticKernel<dim>::driving_force(const ElasticPoint<dim> &point) const
   {
     return material.driving_force(
-      points[q].strain, points[q].pressure, points[q].degradation);
+      point.strain, point.pressure, point.degradation);
   }
 
 
@@ -232,12 +268,9 @@ namespace MixedCracks
   ElasticKernel<dim>::averages() const
   {
     CellAverages result{{}, 0.};
-    double       volume = 0.;
-    for (unsigned int q = 0; q < points.size(); ++q)
-    {
-      result.stress += fe_values.JxW(q) * points[q].response.stress;
-      volume += fe_values.JxW(q);
-    }
+    const double volume = geometry->volume();
+    for (unsigned int q = 0; q < states.size(); ++q)
+      result.stress += geometry->weights[q] * responses[q].stress;
     result.stress /= volume;
     result.energy_density = energy() / volume;
     return result;

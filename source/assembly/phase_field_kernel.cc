@@ -7,14 +7,10 @@ namespace MixedCracks
 
   template <int dim>
   PhaseFieldKernel<dim>::PhaseFieldKernel(const FiniteElement<dim> &element,
-                                          const Mapping<dim>       &mapping,
                                           const Quadrature<dim>    &quadrature,
                                           const Material<dim>      &material)
     : material(material)
-    , fe_values(mapping,
-                element,
-                quadrature,
-                update_values | update_gradients | update_JxW_values)
+    , shapes(element, quadrature)
     , points(quadrature.size())
   {}
 
@@ -22,10 +18,10 @@ namespace MixedCracks
 
   template <int dim>
   void
-  PhaseFieldKernel<dim>::reinit(
-    const typename Triangulation<dim>::cell_iterator &cell)
+  PhaseFieldKernel<dim>::reinit(const CellGeometry<dim> &new_geometry)
   {
-    fe_values.reinit(cell);
+    geometry = &new_geometry;
+    shapes.reinit(new_geometry);
   }
 
 
@@ -37,8 +33,8 @@ namespace MixedCracks
   {
     values.assign(points.size(), 0.);
     for (unsigned int q = 0; q < points.size(); ++q)
-      for (unsigned int i = 0; i < fe_values.dofs_per_cell; ++i)
-        values[q] += local(i) * fe_values.shape_value(i, q);
+      for (unsigned int i = 0; i < shapes.size(); ++i)
+        values[q] += local(i) * shapes.value(i, q);
   }
 
 
@@ -51,10 +47,10 @@ namespace MixedCracks
     for (unsigned int q = 0; q < points.size(); ++q)
     {
       points[q] = {0., Tensor<1, dim>(), driving_force[q]};
-      for (unsigned int i = 0; i < fe_values.dofs_per_cell; ++i)
+      for (unsigned int i = 0; i < shapes.size(); ++i)
       {
-        points[q].phase_field += local(i) * fe_values.shape_value(i, q);
-        points[q].gradient += local(i) * fe_values.shape_grad(i, q);
+        points[q].phase_field += local(i) * shapes.value(i, q);
+        points[q].gradient += local(i) * shapes.gradient(i, q);
       }
     }
   }
@@ -69,7 +65,7 @@ namespace MixedCracks
     const CrackDensity        &density   = material.crack_density();
     double                     sum       = 0.;
     for (unsigned int q = 0; q < points.size(); ++q)
-      sum += fe_values.JxW(q) * constants.critical_energy_release_rate *
+      sum += geometry->weights[q] * constants.critical_energy_release_rate *
              (density.local(points[q].phase_field) / constants.length_scale +
               density.gradient_coefficient() * constants.length_scale *
                 points[q].gradient.norm_square());
@@ -95,11 +91,11 @@ namespace MixedCracks
           points[q].driving_force +
         toughness / constants.length_scale *
           density.local_derivative(points[q].phase_field);
-      for (unsigned int i = 0; i < fe_values.dofs_per_cell; ++i)
-        result(i) += (local * fe_values.shape_value(i, q) +
-                      gradient_factor *
-                        (points[q].gradient * fe_values.shape_grad(i, q))) *
-                     fe_values.JxW(q);
+      for (unsigned int i = 0; i < shapes.size(); ++i)
+        result(i) +=
+          (local * shapes.value(i, q) +
+           gradient_factor * (points[q].gradient * shapes.gradient(i, q))) *
+          geometry->weights[q];
     }
   }
 
@@ -122,13 +118,12 @@ namespace MixedCracks
           points[q].driving_force +
         toughness / constants.length_scale *
           density.local_second_derivative(points[q].phase_field);
-      for (unsigned int i = 0; i < fe_values.dofs_per_cell; ++i)
-        for (unsigned int j = 0; j < fe_values.dofs_per_cell; ++j)
-          result(i, j) +=
-            (local * fe_values.shape_value(i, q) * fe_values.shape_value(j, q) +
-             gradient_factor *
-               (fe_values.shape_grad(i, q) * fe_values.shape_grad(j, q))) *
-            fe_values.JxW(q);
+      for (unsigned int i = 0; i < shapes.size(); ++i)
+        for (unsigned int j = 0; j < shapes.size(); ++j)
+          result(i, j) += (local * shapes.value(i, q) * shapes.value(j, q) +
+                           gradient_factor *
+                             (shapes.gradient(i, q) * shapes.gradient(j, q))) *
+                          geometry->weights[q];
     }
   }
 
@@ -140,8 +135,8 @@ namespace MixedCracks
   {
     result = 0.;
     for (unsigned int q = 0; q < points.size(); ++q)
-      for (unsigned int i = 0; i < fe_values.dofs_per_cell; ++i)
-        result(i) += fe_values.shape_value(i, q) * fe_values.JxW(q);
+      for (unsigned int i = 0; i < shapes.size(); ++i)
+        result(i) += shapes.value(i, q) * geometry->weights[q];
   }
 
 

@@ -37,6 +37,7 @@ namespace MixedCracks
     record.peak_force    = load_control.peak_force();
     record.external_work = external_work;
     record.peak_step     = peak_step;
+    record.steps_to_wait = load_control.steps_to_wait();
     record.rows          = statistics.rows();
     // the state of the peak is not kept: what shall be seen of it is written
     if (!field_output.has(peak_step))
@@ -55,8 +56,10 @@ namespace MixedCracks
     checkpoint.load_fields(fields, state);
     state.time      = resumed->time;
     state.time_step = resumed->time_step;
-    load_control.restore(
-      resumed->time, resumed->next_step, resumed->peak_force);
+    load_control.restore(resumed->time,
+                         resumed->next_step,
+                         resumed->peak_force,
+                         resumed->steps_to_wait);
     external_work = resumed->external_work;
     peak_step     = resumed->peak_step;
     peak_state    = state;

@@ -15,6 +15,9 @@ namespace MixedCracks
     // of the elastic residual in one round of the iterated coupling
     constexpr double inexact_reduction = 0.05;
 
+    // A node fell from (nearly) intact to (nearly) broken in one step.
+    constexpr double running_crack_change = 0.9;
+
 
 
     // max over the nodes of a - b, or of its modulus
@@ -70,7 +73,19 @@ namespace MixedCracks
     , stop_requested(std::move(stop_requested))
     , communicator(communicator)
     , log(log)
+    , acceleration(options.acceleration)
   {}
+
+
+
+  template <int dim>
+  bool
+  StepSolver<dim>::is_settled(const StepOutcome &outcome) const
+  {
+    const bool runs = outcome.phase_field_change > running_crack_change;
+    return outcome.coupling_change <
+           (runs ? options.running_tolerance : options.tolerance);
+  }
 
 
 
@@ -91,44 +106,16 @@ namespace MixedCracks
 
 
   template <int dim>
-  double
-  StepSolver<dim>::acceleration(const Vector &difference) const
-  {
-    if (last_factor == 0. ||
-        options.largest_acceleration <= options.over_relaxation)
-      return options.over_relaxation;
-    // Aitken: the factor that would have been right for the last advance. A
-    // slow convergence asks for a large one, a running crack, whose changes
-    // lie elsewhere each time, for a small one.
-    Vector change(last_difference);
-    change.add(-1., difference);
-    const double size = change * change;
-    if (size == 0.)
-      return options.over_relaxation;
-    const double factor = last_factor * (last_difference * change) / size;
-    return std::clamp(
-      factor, options.over_relaxation, options.largest_acceleration);
-  }
-
-
-
-  template <int dim>
   void
   StepSolver<dim>::advance_lagged_field(const State &accepted, State &trial)
   {
-    Vector difference(trial.phase_field.locally_owned_elements(), communicator);
-    Vector lagged(difference);
-    difference = trial.phase_field;
-    lagged     = trial.lagged_phase_field;
-    difference.add(-1., lagged);
-    last_factor     = acceleration(difference);
-    last_difference = difference;
-    const Vector before(trial.lagged_phase_field);
-    move_within_bounds(before,
-                       trial.phase_field,
-                       last_factor,
-                       accepted.phase_field,
-                       trial.lagged_phase_field);
+    Vector image(trial.phase_field.locally_owned_elements(), communicator);
+    Vector lagged(image);
+    image  = trial.phase_field;
+    lagged = trial.lagged_phase_field;
+    const Vector next(acceleration.next(lagged, image));
+    move_within_bounds(
+      lagged, next, 1., accepted.phase_field, trial.lagged_phase_field);
   }
 
 
@@ -151,7 +138,7 @@ namespace MixedCracks
                      newton.iterations,
                      newton.linear_iterations + active_set.linear_iterations,
                      change,
-                     last_factor));
+                     acceleration.factor()));
   }
 
 
@@ -164,8 +151,7 @@ namespace MixedCracks
     // While the phase field still moves, exact displacements are not worth
     // their solves.
     const bool iterated = options.kind == CouplingOptions::Kind::iterated;
-    if (iterated && (so_far.coupling_iterations == 0 ||
-                     so_far.coupling_change >= options.tolerance))
+    if (iterated && (so_far.coupling_iterations == 0 || !is_settled(so_far)))
       present.relative_tolerance = inexact_reduction;
     return elastic.solve(trial, present);
   }
@@ -204,7 +190,7 @@ namespace MixedCracks
     const bool iterated = options.kind == CouplingOptions::Kind::iterated;
     start_lagged_field(accepted, trial);
     trial.phase_field = accepted.phase_field;
-    last_factor       = 0.;
+    acceleration.restart();
     elastic.predict(accepted, trial);
     log.line("  coupl  |r_u| in       out   out |r_p| active"
              "  changes descents newton  linear  |phi-phi~| factor");
@@ -231,7 +217,7 @@ namespace MixedCracks
         outcome.reason = active_set.reason;
         return outcome;
       }
-      const bool settled = outcome.coupling_change < options.tolerance &&
+      const bool settled = is_settled(outcome) &&
                            newton.last.largest() <= newton_options.tolerance;
       if (!iterated || settled || outcome.phase_field_change > bound)
         break;
@@ -248,7 +234,7 @@ namespace MixedCracks
       }
       // a settled phase field stays, for displacements that are not
       // accurate enough yet
-      if (!(outcome.coupling_change < options.tolerance))
+      if (!is_settled(outcome))
         advance_lagged_field(accepted, trial);
     }
     outcome.solved = true;

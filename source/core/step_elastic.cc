@@ -68,7 +68,10 @@ namespace MixedCracks
       for (const auto dof : pressure)
         pressure_dofs[dofs.owned.index_within_set(dof)] = true;
     }
-    return solver.initialize(matrix);
+    return solver.initialize(matrix,
+                             assembler.elastic_matrix_is_symmetric()
+                               ? MatrixSymmetry::symmetric
+                               : MatrixSymmetry::none);
   }
 
 
@@ -158,7 +161,7 @@ namespace MixedCracks
 
   template <int dim>
   LinearOutcome
-  ElasticStep<dim>::update_matrix(const State &trial, const bool force)
+  ElasticStep<dim>::update_matrix(const bool force)
   {
     const double allowed_change = force ? 0. : largest_degradation_change;
     if (assessment.branch_changes == 0. &&
@@ -166,10 +169,7 @@ namespace MixedCracks
       return {};
     {
       TimerOutput::Scope scope(timer, "assembly");
-      assembler.elastic_matrix(trial.elastic,
-                               trial.lagged_phase_field,
-                               constraints.elastic_corrections(),
-                               matrix);
+      assembler.elastic_matrix(constraints.elastic_corrections(), matrix);
     }
     TimerOutput::Scope scope(timer, "factorisation");
     ++count.factorizations;
@@ -187,7 +187,7 @@ namespace MixedCracks
     NewtonProblem problem;
     problem.residual      = [&]() { return evaluate_residual(trial); };
     problem.update_matrix = [&](const bool force) {
-      return update_matrix(trial, force);
+      return update_matrix(force);
     };
     problem.solve = [&]() {
       TimerOutput::Scope scope(timer, "solve");

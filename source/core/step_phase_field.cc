@@ -117,12 +117,8 @@ namespace MixedCracks
     ActiveSetOutcome     total;
     for (unsigned int i = 0; i < max_newton_iterations; ++i)
     {
-      assembler.phase_field_system(trial.elastic,
-                                   trial.lagged_phase_field,
-                                   trial.phase_field,
-                                   hanging,
-                                   residual,
-                                   &matrix);
+      assembler.phase_field_system(
+        trial.phase_field, hanging, residual, &matrix);
       const ActiveSetOutcome outcome = solver.solve(problem, iterate, residual);
       hanging.distribute(iterate);
       trial.phase_field = iterate;

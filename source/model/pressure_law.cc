@@ -26,6 +26,12 @@ namespace MixedCracks
                 inverse_g};
       }
 
+      bool
+      is_symmetric() const override
+      {
+        return true;
+      }
+
     private:
       double intact_compliance;
       double added_compliance;
@@ -47,6 +53,12 @@ namespace MixedCracks
         return {tension ? g : 1., g, compliance, 1.};
       }
 
+      bool
+      is_symmetric() const override
+      {
+        return false; // in compression
+      }
+
     private:
       double compliance;
     };
@@ -65,6 +77,12 @@ namespace MixedCracks
       coefficients(const double g, const bool tension) const override
       {
         return {tension ? g : 1., 1., compliance, 1.};
+      }
+
+      bool
+      is_symmetric() const override
+      {
+        return false; // in tension
       }
 
     private:

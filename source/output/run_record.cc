@@ -46,7 +46,8 @@ namespace MixedCracks
     out << std::setprecision(17) << std::quoted(record.signature) << '\n'
         << record.cell_size << ' ' << record.time << ' ' << record.time_step
         << ' ' << record.next_step << ' ' << record.peak_force << ' '
-        << record.external_work << ' ' << record.peak_step << '\n'
+        << record.external_work << ' ' << record.peak_step << ' '
+        << record.steps_to_wait << '\n'
         << record.rows.size() << '\n';
     for (const StatisticsRow &row : record.rows)
     {
@@ -67,7 +68,8 @@ namespace MixedCracks
     std::size_t n_rows = 0, n_files = 0;
     in >> std::quoted(record.signature) >> record.cell_size >> record.time >>
       record.time_step >> record.next_step >> record.peak_force >>
-      record.external_work >> record.peak_step >> n_rows;
+      record.external_work >> record.peak_step >> record.steps_to_wait >>
+      n_rows;
     for (std::size_t i = 0; in && i < n_rows; ++i)
     {
       StatisticsRow row;

@@ -106,6 +106,13 @@ namespace MixedCracks
                         "below this. Unit: 1.",
                         Patterns::Double(tiny, 1.));
       prm.add_parameter(
+        "Running crack tolerance",
+        model.running_tolerance,
+        "What takes the place of the coupling tolerance in a load step once a "
+        "crack runs in it: when phi fell by more than 0.9 somewhere. What is "
+        "left to change is done by the next step. Unit: 1.",
+        Patterns::Double(tiny, 1.));
+      prm.add_parameter(
         "Over-relaxation",
         model.over_relaxation,
         "The iterated coupling moves phi~ by this factor times (phi - phi~), "
@@ -114,10 +121,16 @@ namespace MixedCracks
       prm.add_parameter(
         "Largest acceleration",
         model.acceleration,
-        "The iterated coupling replaces the over-relaxation by Aitken's factor "
-        "where that is larger, up to this: slow convergence near the onset of "
-        "a crack is sped up; 1: off. Unit: 1.",
-        Patterns::Double(1., 20.));
+        "The iterated coupling never moves phi~ by more than this factor times "
+        "|phi - phi~|, and by a quarter of it where phi - phi~ grows in one and "
+        "the same direction, at the onset of a crack; 1: off. Unit: 1.",
+        Patterns::Double(1., 100.));
+      prm.add_parameter(
+        "Anderson depth",
+        model.anderson_depth,
+        "Number of earlier iterations that Anderson's method uses to speed up "
+        "the iterated coupling where it converges smoothly; 0: off. Unit: 1.",
+        Patterns::Integer(0, 20));
       prm.add_parameter("Largest number of coupling iterations",
                         model.max_iterations,
                         "A step of the iterated coupling that needs more has "

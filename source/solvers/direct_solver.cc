@@ -1,27 +1,18 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include <core/errors.h>
 
-#include <solvers/direct_solver.h>
+#include <deal.II/base/exceptions.h>
 
-#include <Amesos.h>
-#include <Teuchos_ParameterList.hpp>
+#include <solvers/amesos.h>
+#include <solvers/direct_solver.h>
+#include <solvers/mumps.h>
 
 namespace MixedCracks
 {
   namespace
   {
-    // Amesos returns 0 or an error of its own; the return value is the same
-    // on all ranks of the solvers used here
-    LinearOutcome
-    outcome(const int error, const std::string &phase, const std::string &name)
-    {
-      if (error == 0)
-        return {};
-      return {false,
-              0,
-              phase + " by " + name + " failed with error " +
-                std::to_string(error)};
-    }
+    const std::string mumps_name    = "MUMPS";
+    const std::string amesos_prefix = "Amesos ";
   } // namespace
 
 
@@ -30,44 +21,43 @@ namespace MixedCracks
   DirectSolver::available_packages()
   {
     std::vector<std::string> result;
-    Amesos                   factory;
-    // distributed ones first; LAPACK is dense and not worth a name here
-    for (const std::string package : {"Mumps", "Superludist", "Umfpack", "Klu"})
-      if (factory.Query("Amesos_" + package))
-        result.push_back(package);
+    if (Mumps::is_available())
+      result.push_back(mumps_name);
+    for (const std::string &package : AmesosSolver::available_packages())
+      result.push_back(amesos_prefix + package);
     return result;
   }
 
 
 
-  DirectSolver::DirectSolver()
+  DirectSolver::DirectSolver(const std::string &package)
+    : name(package)
   {
     const std::vector<std::string> packages = available_packages();
     if (packages.empty())
       throw InputError(
-        "Linear solver/Name: 'direct' needs a Trilinos with one of the Amesos "
-        "packages MUMPS, SuperLU_DIST, UMFPACK or KLU; this one has none.");
-    name = packages.front();
+        "Linear solver/Name: 'direct' needs MUMPS, or a Trilinos with one of "
+        "the Amesos packages MUMPS, SuperLU_DIST, UMFPACK or KLU; this program "
+        "has none.");
+    if (name.empty())
+      name = packages.front();
   }
 
 
 
   LinearOutcome
-  DirectSolver::initialize(const LinearAlgebra::SparseMatrix &matrix)
+  DirectSolver::initialize(const LinearAlgebra::SparseMatrix &matrix,
+                           const MatrixSymmetry               symmetry)
   {
+    // the old one first: two at a time would need twice the memory
     solver.reset();
-    problem = std::make_unique<Epetra_LinearProblem>();
-    problem->SetOperator(
-      const_cast<Epetra_CrsMatrix *>(&matrix.trilinos_matrix()));
-    Amesos factory;
-    solver.reset(factory.Create("Amesos_" + name, *problem));
-    Teuchos::ParameterList parameters;
-    // room for pivoting beyond the estimate of the analysis, in percent
-    parameters.sublist("mumps").set("ICNTL(14)", 60);
-    // METIS: the least work for these meshes (doc/performance.md)
-    parameters.sublist("mumps").set("ICNTL(7)", 5);
-    solver->SetParameters(parameters);
-    return outcome(solver->SymbolicFactorization(), "analysis", name);
+    LinearOutcome outcome;
+    if (name == mumps_name)
+      solver = std::make_unique<Mumps>(matrix, symmetry, outcome);
+    else
+      solver = std::make_unique<AmesosSolver>(
+        name.substr(amesos_prefix.size()), matrix, outcome);
+    return outcome;
   }
 
 
@@ -75,20 +65,17 @@ namespace MixedCracks
   LinearOutcome
   DirectSolver::factorize()
   {
-    return outcome(solver->NumericFactorization(), "factorisation", name);
+    Assert(solver, dealii::ExcNotInitialized());
+    return solver->factorize();
   }
 
 
 
   LinearOutcome
   DirectSolver::solve(LinearAlgebra::Vector       &solution,
-                      const LinearAlgebra::Vector &right_hand_side) const
+                      const LinearAlgebra::Vector &right_hand_side)
   {
-    problem->SetLHS(&solution.trilinos_vector());
-    problem->SetRHS(
-      const_cast<Epetra_MultiVector *>(&right_hand_side.trilinos_vector()));
-    LinearOutcome result = outcome(solver->Solve(), "solution", name);
-    result.iterations    = 1;
-    return result;
+    Assert(solver, dealii::ExcNotInitialized());
+    return solver->solve(solution, right_hand_side);
   }
 } // namespace MixedCracks

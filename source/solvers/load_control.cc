@@ -18,6 +18,8 @@ namespace MixedCracks
     // relative to a step: what is shorter than that is rounding
     constexpr double rounding = 1e-9;
 
+    constexpr unsigned int steps_before_growth = 2;
+
     void
     require_order(const std::string &smaller_name,
                   const double       smaller,
@@ -142,13 +144,22 @@ namespace MixedCracks
       if (parameters.largest_phase_field_change == 0.)
         time_step = std::min(2. * time_step, parameters.first_step);
       else if (phase_field_change < 0.3 * parameters.largest_phase_field_change)
-        time_step = std::min(2. * time_step, parameters.largest_step);
+      {
+        // what was refused just now would be refused again
+        if (to_wait > 0)
+          --to_wait;
+        else
+          time_step = std::min(2. * time_step, parameters.largest_step);
+      }
       limit_step();
       return Verdict::accept;
     }
     ++rejected;
     if (converged)
+    {
       time_step = std::max(0.5 * time_step, parameters.onset_step);
+      to_wait   = steps_before_growth;
+    }
     else if (time_step <= parameters.smallest_step * (1. + rounding))
       return Verdict::give_up;
     else
@@ -187,13 +198,15 @@ namespace MixedCracks
 
 
   void
-  LoadControl::restore(const double new_time,
-                       const double step,
-                       const double peak_force)
+  LoadControl::restore(const double       new_time,
+                       const double       step,
+                       const double       peak_force,
+                       const unsigned int steps_to_wait)
   {
     time      = new_time;
     time_step = step;
     peak      = peak_force;
+    to_wait   = steps_to_wait;
     limit_step();
   }
 } // namespace MixedCracks

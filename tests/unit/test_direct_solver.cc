@@ -14,7 +14,7 @@ namespace
 {
   // solve for a right hand side whose solution is known
   void
-  expect_solves(const DirectSolver &solver, const Rows &rows)
+  expect_solves(DirectSolver &solver, const Rows &rows)
   {
     for (const double factor : {1., -3., 0.})
     {
@@ -53,24 +53,49 @@ TEST(DirectSolver, NamesAPackageThatIsThere)
 
 
 
-TEST(DirectSolver, SolvesForSeveralRightHandSides)
+// every package, for matrices it is told are symmetric or not
+class EveryDirectSolver
+  : public ::testing::TestWithParam<std::tuple<std::string, MatrixSymmetry>>
 {
-  LinearAlgebra::SparseMatrix matrix;
+protected:
+  EveryDirectSolver()
+    : solver(std::get<0>(GetParam()))
+  {}
+
+  void
+  initialize(const LinearAlgebra::SparseMatrix &matrix)
+  {
+    expect_success(solver.initialize(matrix, std::get<1>(GetParam())));
+  }
+
+  // it must outlive the solver
+  LinearAlgebra::SparseMatrix matrix, second;
+  DirectSolver                solver;
+};
+
+INSTANTIATE_TEST_SUITE_P(
+  Packages,
+  EveryDirectSolver,
+  ::testing::Combine(::testing::ValuesIn(DirectSolver::available_packages()),
+                     ::testing::Values(MatrixSymmetry::symmetric,
+                                       MatrixSymmetry::none)));
+
+
+
+TEST_P(EveryDirectSolver, SolvesForSeveralRightHandSides)
+{
   make_matrix(string_rows(7), matrix);
-  DirectSolver solver;
-  expect_success(solver.initialize(matrix));
+  initialize(matrix);
   expect_success(solver.factorize());
   expect_solves(solver, string_rows(7));
 }
 
 
 
-TEST(DirectSolver, TakesNewValuesWithTheSamePattern)
+TEST_P(EveryDirectSolver, TakesNewValuesWithTheSamePattern)
 {
-  LinearAlgebra::SparseMatrix matrix;
   make_matrix(string_rows(7), matrix);
-  DirectSolver solver;
-  expect_success(solver.initialize(matrix));
+  initialize(matrix);
   for (const double diagonal : {2., 5., 0.3})
   {
     const Rows rows = string_rows(7, diagonal);
@@ -82,12 +107,10 @@ TEST(DirectSolver, TakesNewValuesWithTheSamePattern)
 
 
 
-TEST(DirectSolver, KeepsItsFactorsWhenValuesChange)
+TEST_P(EveryDirectSolver, KeepsItsFactorsWhenValuesChange)
 {
-  LinearAlgebra::SparseMatrix matrix;
   make_matrix(string_rows(7), matrix);
-  DirectSolver solver;
-  expect_success(solver.initialize(matrix));
+  initialize(matrix);
   expect_success(solver.factorize());
   set_rows(string_rows(7, 5.), matrix);
   expect_solves(solver, string_rows(7));
@@ -95,34 +118,46 @@ TEST(DirectSolver, KeepsItsFactorsWhenValuesChange)
 
 
 
-TEST(DirectSolver, CanBeInitializedAgain)
+TEST_P(EveryDirectSolver, CanBeInitializedAgain)
 {
-  LinearAlgebra::SparseMatrix first, second;
-  make_matrix(string_rows(7), first);
+  make_matrix(string_rows(7), matrix);
   make_matrix(saddle, second);
-  DirectSolver solver;
-  expect_success(solver.initialize(first));
+  initialize(matrix);
   expect_success(solver.factorize());
   expect_solves(solver, string_rows(7));
-  expect_success(solver.initialize(second));
+  initialize(second);
   expect_success(solver.factorize());
   expect_solves(solver, saddle);
   // and the same object with a new pattern, as after refinement
   make_matrix(string_rows(11), second);
-  expect_success(solver.initialize(second));
+  initialize(second);
   expect_success(solver.factorize());
   expect_solves(solver, string_rows(11));
 }
 
 
 
-TEST(DirectSolver, ReportsASingularMatrix)
+TEST_P(EveryDirectSolver, ReportsASingularMatrix)
 {
-  LinearAlgebra::SparseMatrix matrix;
   make_matrix({{1., 1., 0.}, {1., 1., 0.}, {0., 0., 0.}}, matrix);
-  DirectSolver solver;
-  expect_success(solver.initialize(matrix));
+  initialize(matrix);
   const LinearOutcome outcome = solver.factorize();
   EXPECT_FALSE(outcome.success);
   EXPECT_FALSE(outcome.reason.empty());
+}
+
+
+
+TEST(DirectSolver, SolvesAMatrixThatIsNotSymmetric)
+{
+  const Rows rows = {{4., 1., 0.}, {-2., 3., 1.}, {0., 5., 1.}};
+  for (const std::string &package : DirectSolver::available_packages())
+  {
+    LinearAlgebra::SparseMatrix matrix;
+    make_matrix(rows, matrix);
+    DirectSolver solver(package);
+    expect_success(solver.initialize(matrix, MatrixSymmetry::none));
+    expect_success(solver.factorize());
+    expect_solves(solver, rows);
+  }
 }

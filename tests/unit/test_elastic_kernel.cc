@@ -36,10 +36,12 @@ namespace
       , mapping(1)
       , quadrature(mixed ? 3 : 2)
       , element(make_element(mixed))
-      , kernel(element, mapping, quadrature, material, mixed)
+      , kernel(element, quadrature, material, mixed)
     {
       make_crooked_cell(triangulation);
-      kernel.reinit(triangulation.begin());
+      geometry =
+        GeometryEvaluator<dim>(mapping, quadrature)(triangulation.begin());
+      kernel.reinit(geometry);
       for (unsigned int i = 0; i < element.n_dofs_per_cell(); ++i)
         block.push_back(component(i) < dim ? 0 : 1);
       // damaged, and different at every point
@@ -104,6 +106,7 @@ namespace
     const dealii::MappingQ<dim> mapping;
     const dealii::QGauss<dim>   quadrature;
     const dealii::FESystem<dim> element;
+    CellGeometry<dim>           geometry;
     ElasticKernel<dim>          kernel;
     std::vector<double>         lagged_phase_field;
     std::vector<unsigned int>   block; // 0 displacement, 1 pressure
@@ -131,6 +134,12 @@ namespace
     cell.kernel.set_state(local, cell.lagged_phase_field);
     cell.kernel.jacobian(found);
     expect_equal_by_blocks(found, expected, cell.block, 1e-6);
+    if (cell.kernel.jacobian_is_symmetric())
+    {
+      dealii::FullMatrix<double> transposed(local.size(), local.size());
+      transposed.copy_transposed(found);
+      expect_equal_by_blocks(found, transposed, cell.block, 1e-13);
+    }
   }
 } // namespace
 

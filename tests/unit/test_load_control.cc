@@ -114,6 +114,19 @@ TEST(LoadControl, RecoversAfterFailures)
 
 
 
+TEST(LoadControl, GrowsOnlyAfterTwoMoreEasyStepsWhenChangesWereLarge)
+{
+  LoadControl control(parameters());
+  EXPECT_EQ(control.judge(true, 0.9), Verdict::repeat);
+  for (const double step : {0.25, 0.25, 0.5, 1.})
+  {
+    EXPECT_EQ(control.judge(true, 0.01), Verdict::accept);
+    EXPECT_DOUBLE_EQ(control.step(), step);
+  }
+}
+
+
+
 TEST(LoadControl, TreatsANumberThatIsNoneAsTooLargeAChange)
 {
   LoadControl control(parameters());
@@ -199,10 +212,11 @@ TEST(LoadControl, StopsWhenTheForceHasFallen)
 TEST(LoadControl, ContinuesFromACheckpoint)
 {
   LoadControl control(parameters());
-  control.restore(4., 0.25, 80.);
+  control.restore(4., 0.25, 80., 1);
   EXPECT_DOUBLE_EQ(control.target_time(), 4.25);
   EXPECT_DOUBLE_EQ(control.peak_force(), 80.);
-  control.restore(9.9, 0.25, 80.);
+  EXPECT_EQ(control.steps_to_wait(), 1u);
+  control.restore(9.9, 0.25, 80., 0);
   EXPECT_DOUBLE_EQ(control.target_time(), 10.);
 }
 

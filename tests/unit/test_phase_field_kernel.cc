@@ -26,11 +26,13 @@ namespace
       , mapping(1)
       , quadrature(2)
       , element(1)
-      , kernel(element, mapping, quadrature, material)
+      , kernel(element, quadrature, material)
       , fe_values(mapping, element, quadrature, dealii::update_JxW_values)
     {
       make_crooked_cell(triangulation);
-      kernel.reinit(triangulation.begin());
+      geometry =
+        GeometryEvaluator<dim>(mapping, quadrature)(triangulation.begin());
+      kernel.reinit(geometry);
       fe_values.reinit(triangulation.begin());
       for (const double value : random_values(quadrature.size(), 3))
         driving_force.push_back(20. + 15. * value);
@@ -73,6 +75,7 @@ namespace
     const dealii::MappingQ<dim> mapping;
     const dealii::QGauss<dim>   quadrature;
     const dealii::FE_Q<dim>     element;
+    CellGeometry<dim>           geometry;
     PhaseFieldKernel<dim>       kernel;
     dealii::FEValues<dim>       fe_values;
     std::vector<double>         driving_force;

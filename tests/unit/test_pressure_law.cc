@@ -123,6 +123,25 @@ TEST(PressureLaw, IntactMaterialIsLinearlyElastic)
 
 
 
+TEST(PressureLaw, IsSymmetricWhenItSaysSo)
+{
+  for (const std::string &name : all_pressure_laws().names())
+  {
+    SCOPED_TRACE(name);
+    const auto law         = all_pressure_laws().make(name, constants);
+    bool       coincidence = true;
+    for (const double g : degradations)
+      for (const bool tension : {true, false})
+      {
+        const PressureCoefficients found = law->coefficients(g, tension);
+        coincidence = coincidence && found.stress == found.divergence;
+      }
+    EXPECT_EQ(law->is_symmetric(), coincidence);
+  }
+}
+
+
+
 TEST(PressureLaw, StiffnessFadesInTensionOnly)
 {
   for (const std::string &name : all_pressure_laws().names())

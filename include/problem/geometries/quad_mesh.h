@@ -6,6 +6,7 @@
 #include <deal.II/grid/tria.h>
 
 #include <array>
+#include <functional>
 #include <vector>
 
 namespace MixedCracks
@@ -32,6 +33,14 @@ namespace MixedCracks
     /// @p tip: every vertex on it but the tip is doubled, and the cells above
     /// get the new one.
     void open_slit(const dealii::Point<2> &tip);
+
+    /// Move vertices towards the middle of their neighbours as long as this
+    /// makes the worst cell better. Vertices on the boundary stay, and those
+    /// that @p is_fixed names.
+    void smooth(const std::function<bool(const dealii::Point<2> &)> &is_fixed);
+
+    /// Longest by shortest edge of a cell, of the worst cell.
+    double aspect_ratio() const;
 
     /// Hand the mesh to an empty triangulation.
     void create(dealii::Triangulation<2> &triangulation) const;

@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <set>
+#include <utility>
 
 namespace MixedCracks
 {
@@ -71,6 +73,97 @@ namespace MixedCracks
         for (unsigned int &vertex : cell.vertices)
           if (const auto doubled = above.find(vertex); doubled != above.end())
             vertex = doubled->second;
+    }
+  }
+
+
+
+  namespace
+  {
+    constexpr unsigned int most_sweeps = 10;
+
+    // counterclockwise
+    std::array<unsigned int, 4>
+    corners_of(const dealii::CellData<2> &cell)
+    {
+      return {{cell.vertices[0],
+               cell.vertices[1],
+               cell.vertices[3],
+               cell.vertices[2]}};
+    }
+
+
+
+    // neighbours along the edges; none for vertices on the boundary
+    std::vector<std::set<unsigned int>>
+    inner_neighbours(const QuadMesh &mesh)
+    {
+      std::vector<std::set<unsigned int>> neighbours(mesh.vertices.size());
+      std::map<std::pair<unsigned int, unsigned int>, unsigned int> n_cells;
+      for (const dealii::CellData<2> &cell : mesh.cells)
+      {
+        const auto corners = corners_of(cell);
+        for (unsigned int i = 0; i < 4; ++i)
+        {
+          const unsigned int a = corners[i], b = corners[(i + 1) % 4];
+          neighbours[a].insert(b);
+          neighbours[b].insert(a);
+          ++n_cells[std::minmax(a, b)];
+        }
+      }
+      for (const auto &[edge, count] : n_cells)
+        if (count == 1)
+        {
+          neighbours[edge.first].clear();
+          neighbours[edge.second].clear();
+        }
+      return neighbours;
+    }
+  } // namespace
+
+
+
+  double
+  QuadMesh::aspect_ratio() const
+  {
+    double worst = 1.;
+    for (const dealii::CellData<2> &cell : cells)
+    {
+      const auto            corners = corners_of(cell);
+      std::array<double, 4> edges;
+      for (unsigned int i = 0; i < 4; ++i)
+        edges[i] =
+          vertices[corners[i]].distance(vertices[corners[(i + 1) % 4]]);
+      const auto [shortest, longest] =
+        std::minmax_element(edges.begin(), edges.end());
+      worst = std::max(worst, *longest / *shortest);
+    }
+    return worst;
+  }
+
+
+
+  void
+  QuadMesh::smooth(
+    const std::function<bool(const dealii::Point<2> &)> &is_fixed)
+  {
+    const std::vector<std::set<unsigned int>> neighbours =
+      inner_neighbours(*this);
+    for (unsigned int sweep = 0; sweep < most_sweeps; ++sweep)
+    {
+      QuadMesh smoother = *this;
+      for (unsigned int v = 0; v < vertices.size(); ++v)
+      {
+        if (neighbours[v].empty() || is_fixed(vertices[v]))
+          continue;
+        dealii::Point<2> middle;
+        for (const unsigned int neighbour : neighbours[v])
+          middle += vertices[neighbour] / (1. * neighbours[v].size());
+        smoother.vertices[v] = vertices[v] + 0.5 * (middle - vertices[v]);
+      }
+      if (!(smoother.aspect_ratio() < aspect_ratio()))
+        return;
+      *this = smoother;
     }
   }
 

@@ -236,7 +236,10 @@ namespace MixedCracks
   HoleBox
   hole_box(const StripMeasures &m)
   {
-    const double reach = std::max(1.5 * m.hole_radius, m.cell_size);
+    // a layer of cells at least, but no more than half the radius of them
+    const double layers = std::max(
+      0.25 * m.hole_radius, std::min(0.5 * m.hole_radius, 0.8 * m.cell_size));
+    const double reach = std::max(m.hole_radius + layers, m.cell_size);
     HoleBox      box   = {m.hole_center[0] - reach,
                           m.hole_center[0] + reach,
                           m.hole_center[1] - reach,
@@ -284,6 +287,10 @@ namespace MixedCracks
                p[1] < box.top;
       });
       add_ring(mesh, box_sides(mesh, box, x, y), m);
+      mesh.smooth([&m](const dealii::Point<2> &p) {
+        return m.has_notch() && p[1] == m.notch_height &&
+               p[0] <= m.notch_length;
+      });
     }
     else
       mesh =

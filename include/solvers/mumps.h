@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#ifndef mixed_cracks_solvers_mumps_h
+#define mixed_cracks_solvers_mumps_h
+
+#include <solvers/direct_solver.h>
+
+namespace MixedCracks
+{
+  /// MUMPS through its own C interface. Amesos_Mumps knows no LDL^T, and on
+  /// several ranks it copies the matrix, with its graph, for each
+  /// factorisation; doc/performance.md has the figures.
+  class Mumps : public DirectSolverPackage
+  {
+  public:
+    /// False where the program was built without MUMPS.
+    static bool is_available();
+
+    /// Analyse the pattern; @p outcome says whether that succeeded.
+    Mumps(const LinearAlgebra::SparseMatrix &matrix,
+          MatrixSymmetry                     symmetry,
+          LinearOutcome                     &outcome);
+
+    ~Mumps() override;
+
+    LinearOutcome factorize() override;
+
+    LinearOutcome solve(LinearAlgebra::Vector       &solution,
+                        const LinearAlgebra::Vector &right_hand_side) override;
+
+  private:
+    struct Implementation;
+    std::unique_ptr<Implementation> implementation;
+  };
+} // namespace MixedCracks
+
+#endif

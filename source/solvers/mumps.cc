@@ -1,0 +1,316 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include <deal.II/base/exceptions.h>
+
+#include <solvers/mumps.h>
+
+#include <cstddef>
+
+#ifdef MIXED_CRACKS_WITH_MUMPS
+
+#  include <deal.II/base/mpi.h>
+
+#  include <dmumps_c.h>
+
+#  include <algorithm>
+
+namespace MixedCracks
+{
+  using namespace dealii;
+
+  namespace
+  {
+    enum Job
+    {
+      start         = -1,
+      finish        = -2,
+      analysis      = 1,
+      factorization = 2,
+      solution      = 3
+    };
+
+    // names of the manual's entries that are used here, counted from 0
+    enum Control
+    {
+      error_stream       = 0,
+      diagnostic_stream  = 1,
+      global_stream      = 2,
+      print_level        = 3,
+      workspace_increase = 13, // percent
+      matrix_input       = 17
+    };
+    constexpr int distributed_input  = 3;
+    constexpr int initial_workspace  = 30;
+    constexpr int largest_workspace  = 2000;
+    constexpr int too_little_integer = -8;
+    constexpr int too_little_real    = -9;
+    constexpr int singular_structure = -6;
+    constexpr int singular           = -10;
+    constexpr int out_of_memory      = -13;
+    constexpr int master             = 0;
+  } // namespace
+
+
+
+  struct Mumps::Implementation
+  {
+    MPI_Comm                communicator;
+    const Epetra_CrsMatrix *matrix;
+    DMUMPS_STRUC_C          data{};
+
+    // this rank's part of the matrix: rows and columns counted from 1, and
+    // where the values stand in the matrix's own array
+    std::vector<MUMPS_INT>   rows, columns;
+    std::vector<std::size_t> positions;
+    std::vector<double>      values;
+
+    // on the master: which unknowns each rank owns, and the vector of all
+    std::vector<int>    owned;
+    std::vector<int>    counts, offsets;
+    std::vector<double> in_rank_order, all;
+
+    void
+    run(const int job)
+    {
+      data.job = job;
+      dmumps_c(&data);
+    }
+
+    void          take_pattern(bool lower_triangle);
+    void          take_owners();
+    LinearOutcome outcome(const std::string &phase) const;
+  };
+
+
+
+  void
+  Mumps::Implementation::take_pattern(const bool lower_triangle)
+  {
+    int    *starts, *local_columns;
+    double *unused;
+    AssertThrow(matrix->ExtractCrsDataPointers(starts, local_columns, unused) ==
+                  0,
+                ExcMessage("the matrix is not compressed"));
+    for (int row = 0; row < matrix->NumMyRows(); ++row)
+      for (int k = starts[row]; k < starts[row + 1]; ++k)
+      {
+        const int global_row    = matrix->GRID(row);
+        const int global_column = matrix->GCID(local_columns[k]);
+        // each entry above the diagonal is one below it in another row
+        if (lower_triangle && global_column > global_row)
+          continue;
+        rows.push_back(global_row + 1);
+        columns.push_back(global_column + 1);
+        positions.push_back(k);
+      }
+    values.resize(positions.size());
+    data.nnz_loc = values.size();
+    data.irn_loc = rows.data();
+    data.jcn_loc = columns.data();
+    data.a_loc   = values.data();
+  }
+
+
+
+  void
+  Mumps::Implementation::take_owners()
+  {
+    const int  n_owned   = matrix->NumMyRows();
+    const int  n_ranks   = Utilities::MPI::n_mpi_processes(communicator);
+    const bool is_master = Utilities::MPI::this_mpi_process(communicator) == 0;
+    std::vector<int> mine(n_owned);
+    for (int row = 0; row < n_owned; ++row)
+      mine[row] = matrix->GRID(row);
+    counts.resize(n_ranks);
+    offsets.resize(n_ranks, 0);
+    MPI_Gather(
+      &n_owned, 1, MPI_INT, counts.data(), 1, MPI_INT, master, communicator);
+    if (is_master)
+    {
+      for (int rank = 1; rank < n_ranks; ++rank)
+        offsets[rank] = offsets[rank - 1] + counts[rank - 1];
+      owned.resize(data.n);
+      in_rank_order.resize(data.n);
+      all.resize(data.n);
+    }
+    MPI_Gatherv(mine.data(),
+                n_owned,
+                MPI_INT,
+                owned.data(),
+                counts.data(),
+                offsets.data(),
+                MPI_INT,
+                master,
+                communicator);
+    data.rhs  = all.data();
+    data.nrhs = 1;
+    data.lrhs = data.n;
+  }
+
+
+
+  LinearOutcome
+  Mumps::Implementation::outcome(const std::string &phase) const
+  {
+    const int error = data.infog[0];
+    if (error >= 0)
+      return {};
+    const std::string reason = error == singular || error == singular_structure
+                                 ? "the matrix is singular"
+                               : error == out_of_memory
+                                 ? "there is not enough memory"
+                                 : "error " + std::to_string(error) + ", " +
+                                     std::to_string(data.infog[1]);
+    return {false, 0, phase + " by MUMPS failed: " + reason};
+  }
+
+
+
+  bool
+  Mumps::is_available()
+  {
+    return true;
+  }
+
+
+
+  Mumps::Mumps(const LinearAlgebra::SparseMatrix &matrix,
+               const MatrixSymmetry               symmetry,
+               LinearOutcome                     &outcome)
+    : implementation(std::make_unique<Implementation>())
+  {
+    Implementation &my = *implementation;
+    my.communicator =
+      Utilities::MPI::duplicate_communicator(matrix.get_mpi_communicator());
+    my.matrix            = &matrix.trilinos_matrix();
+    DMUMPS_STRUC_C &data = my.data;
+    data.comm_fortran    = MPI_Comm_c2f(my.communicator);
+    data.par             = 1; // the master works too
+    data.sym             = symmetry == MatrixSymmetry::symmetric ? 2 : 0;
+    my.run(start);
+    // errors are told by the outcome, on one rank
+    data.icntl[error_stream]       = data.icntl[diagnostic_stream] =
+      data.icntl[global_stream]    = -1;
+    data.icntl[print_level]        = 0;
+    data.icntl[matrix_input]       = distributed_input;
+    data.icntl[workspace_increase] = initial_workspace;
+    data.n                         = matrix.m();
+    my.take_pattern(data.sym != 0);
+    my.take_owners();
+    my.run(analysis);
+    outcome = my.outcome("analysis");
+  }
+
+
+
+  Mumps::~Mumps()
+  {
+    implementation->run(finish);
+    MPI_Comm_free(&implementation->communicator);
+  }
+
+
+
+  LinearOutcome
+  Mumps::factorize()
+  {
+    Implementation &my = *implementation;
+    int            *starts, *columns;
+    double         *values;
+    my.matrix->ExtractCrsDataPointers(starts, columns, values);
+    for (std::size_t k = 0; k < my.values.size(); ++k)
+      my.values[k] = values[my.positions[k]];
+    my.run(factorization);
+    // more pivoting than the analysis expected
+    while ((my.data.infog[0] == too_little_integer ||
+            my.data.infog[0] == too_little_real) &&
+           my.data.icntl[workspace_increase] < largest_workspace)
+    {
+      my.data.icntl[workspace_increase] *= 2;
+      my.run(factorization);
+    }
+    return my.outcome("factorisation");
+  }
+
+
+
+  LinearOutcome
+  Mumps::solve(LinearAlgebra::Vector       &result,
+               const LinearAlgebra::Vector &right_hand_side)
+  {
+    Implementation &my      = *implementation;
+    const int       n_owned = my.matrix->NumMyRows();
+    MPI_Gatherv(right_hand_side.begin(),
+                n_owned,
+                MPI_DOUBLE,
+                my.in_rank_order.data(),
+                my.counts.data(),
+                my.offsets.data(),
+                MPI_DOUBLE,
+                master,
+                my.communicator);
+    for (std::size_t i = 0; i < my.all.size(); ++i)
+      my.all[my.owned[i]] = my.in_rank_order[i];
+    my.run(solution);
+    for (std::size_t i = 0; i < my.all.size(); ++i)
+      my.in_rank_order[i] = my.all[my.owned[i]];
+    MPI_Scatterv(my.in_rank_order.data(),
+                 my.counts.data(),
+                 my.offsets.data(),
+                 MPI_DOUBLE,
+                 result.begin(),
+                 n_owned,
+                 MPI_DOUBLE,
+                 master,
+                 my.communicator);
+    LinearOutcome outcome = my.outcome("solution");
+    outcome.iterations    = 1;
+    return outcome;
+  }
+} // namespace MixedCracks
+
+#else
+
+namespace MixedCracks
+{
+  struct Mumps::Implementation
+  {};
+
+
+
+  bool
+  Mumps::is_available()
+  {
+    return false;
+  }
+
+
+
+  Mumps::Mumps(const LinearAlgebra::SparseMatrix &,
+               const MatrixSymmetry,
+               LinearOutcome &)
+  {
+    AssertThrow(false, dealii::ExcNotImplemented());
+  }
+
+
+
+  Mumps::~Mumps() = default;
+
+
+
+  LinearOutcome
+  Mumps::factorize()
+  {
+    return {};
+  }
+
+
+
+  LinearOutcome
+  Mumps::solve(LinearAlgebra::Vector &, const LinearAlgebra::Vector &)
+  {
+    return {};
+  }
+} // namespace MixedCracks
+
+#endif

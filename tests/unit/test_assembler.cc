@@ -1,0 +1,226 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// The loops over the cells on a mesh with hanging nodes, shared by the ranks:
+// residuals summed here against the matrix summed by deal.II, and a corrected
+// matrix against a new one.
+#include "materials.h"
+
+#include <assembly/assembler.h>
+
+#include <deal.II/base/function_lib.h>
+#include <deal.II/distributed/tria.h>
+#include <deal.II/grid/grid_generator.h>
+#include <deal.II/numerics/vector_tools.h>
+
+#include <discretization/constraints.h>
+
+#include <gtest/gtest.h>
+
+using namespace MixedCracks;
+using namespace MixedCracks::Testing;
+
+namespace
+{
+  constexpr int dim = 2;
+  using dealii::Point;
+  using Vector = LinearAlgebra::Vector;
+
+  // A square with refined cells in a corner and in the middle, free of loads
+  class RefinedSquare : public ::testing::Test
+  {
+  protected:
+    RefinedSquare()
+      : triangulation(MPI_COMM_WORLD)
+      , fields(triangulation, {true, 2})
+      , constraints(fields, {})
+      , material(description("volumetric-deviatoric", "relaxed bulk", 2))
+    {
+      dealii::GridGenerator::subdivided_hyper_cube(triangulation, 4);
+      for (const auto &cell : triangulation.active_cell_iterators())
+        if (cell->is_locally_owned() &&
+            (cell->center().norm() < 0.3 ||
+             cell->center().distance({0.6, 0.6}) < 0.1))
+          cell->set_refine_flag();
+      triangulation.execute_coarsening_and_refinement();
+      fields.distribute();
+      constraints.reinit();
+      assembler = std::make_unique<Assembler<dim>>(fields, material);
+      make_matrix(matrix);
+      residual = fields.owned_vector(fields.elastic_dofs);
+    }
+
+    void
+    make_matrix(LinearAlgebra::SparseMatrix &result) const
+    {
+      const DofSets                 &dofs = fields.elastic_dofs;
+      LinearAlgebra::SparsityPattern pattern(
+        dofs.owned, dofs.owned, dofs.relevant, MPI_COMM_WORLD);
+      dealii::DoFTools::make_sparsity_pattern(
+        fields.elastic,
+        pattern,
+        constraints.elastic_hanging_nodes(),
+        false,
+        dealii::Utilities::MPI::this_mpi_process(MPI_COMM_WORLD));
+      pattern.compress();
+      result.reinit(pattern);
+    }
+
+    // smooth displacements, with tension on one side and compression on the
+    // other
+    Vector
+    elastic_state() const
+    {
+      Vector owned = fields.owned_vector(fields.elastic_dofs);
+      dealii::VectorTools::interpolate(
+        fields.mapping,
+        fields.elastic,
+        dealii::FunctionFromFunctionObjects<dim>(
+          {[](const Point<dim> &x) { return std::sin(3. * x[0] + x[1]); },
+           [](const Point<dim> &x) { return x[0] * x[1] * x[1]; },
+           [](const Point<dim> &x) { return 5. * (x[0] - 0.4); }}),
+        owned);
+      constraints.elastic_hanging_nodes().distribute(owned);
+      Vector result = fields.ghosted_vector(fields.elastic_dofs);
+      result        = owned;
+      return result;
+    }
+
+    // by copying: a temporary would be moved, ghosts and all
+    Vector
+    without_ghosts(const Vector &ghosted, const DofSets &dofs) const
+    {
+      Vector result = fields.owned_vector(dofs);
+      result        = ghosted;
+      return result;
+    }
+
+    // broken around (@p x, 0.5), intact elsewhere
+    Vector
+    phase_field(const double x) const
+    {
+      Vector owned = fields.owned_vector(fields.phase_field_dofs);
+      dealii::VectorTools::interpolate(
+        fields.mapping,
+        fields.phase_field,
+        dealii::ScalarFunctionFromFunctionObject<dim>([x](const Point<dim> &p) {
+          return std::min(1., 3. * p.distance({x, 0.5}));
+        }),
+        owned);
+      constraints.phase_field_hanging_nodes().distribute(owned);
+      Vector result = fields.ghosted_vector(fields.phase_field_dofs);
+      result        = owned;
+      return result;
+    }
+
+    void
+    assemble(Assembler<dim>              &which,
+             const Vector                &phi,
+             LinearAlgebra::SparseMatrix &result)
+    {
+      which.elastic_residual(
+        elastic_state(), phi, constraints.elastic_hanging_nodes(), residual);
+      which.elastic_matrix(constraints.elastic_hanging_nodes(), result);
+    }
+
+    dealii::parallel::distributed::Triangulation<dim> triangulation;
+    Fields<dim>                                       fields;
+    Constraints<dim>                                  constraints;
+    const Material<dim>                               material;
+    std::unique_ptr<Assembler<dim>>                   assembler;
+    LinearAlgebra::SparseMatrix                       matrix;
+    Vector                                            residual;
+  };
+
+  // largest difference of their images of @p source
+  double
+  difference(const LinearAlgebra::SparseMatrix &a,
+             const LinearAlgebra::SparseMatrix &b,
+             const Vector                      &source)
+  {
+    Vector of_a(source), of_b(source);
+    a.vmult(of_a, source);
+    b.vmult(of_b, source);
+    of_a.add(-1., of_b);
+    return of_a.linfty_norm() / of_b.linfty_norm();
+  }
+} // namespace
+
+
+
+TEST_F(RefinedSquare, HasHangingNodes)
+{
+  EXPECT_GT(
+    dealii::Utilities::MPI::sum(
+      constraints.elastic_hanging_nodes().n_constraints(), MPI_COMM_WORLD),
+    0u);
+}
+
+
+
+TEST_F(RefinedSquare, IntactResidualIsTheMatrixTimesTheState)
+{
+  Vector intact = fields.ghosted_vector(fields.phase_field_dofs);
+  Vector ones   = fields.owned_vector(fields.phase_field_dofs);
+  ones          = 1.;
+  intact        = ones;
+  assemble(*assembler, intact, matrix);
+  Vector state = without_ghosts(elastic_state(), fields.elastic_dofs);
+  // rows of hanging nodes hold a diagonal of their own
+  constraints.elastic_hanging_nodes().set_zero(state);
+  Vector expected = fields.owned_vector(fields.elastic_dofs);
+  matrix.vmult(expected, state);
+  expected.add(-1., residual);
+  EXPECT_GT(residual.linfty_norm(), 1e-3);
+  EXPECT_LT(expected.linfty_norm(), 1e-12 * residual.linfty_norm());
+}
+
+
+
+TEST_F(RefinedSquare, CorrectedMatrixIsTheNewOne)
+{
+  assemble(*assembler, phase_field(0.2), matrix);
+  for (const double x : {0.25, 0.4, 0.9})
+  {
+    assemble(*assembler, phase_field(x), matrix);
+    Assembler<dim>              fresh(fields, material);
+    LinearAlgebra::SparseMatrix expected;
+    make_matrix(expected);
+    assemble(fresh, phase_field(x), expected);
+    Vector source = without_ghosts(elastic_state(), fields.elastic_dofs);
+    constraints.elastic_hanging_nodes().set_zero(source);
+    EXPECT_LT(difference(matrix, expected, source), 1e-12) << "x = " << x;
+  }
+}
+
+
+
+TEST_F(RefinedSquare, PhaseFieldResidualFollowsItsMatrix)
+{
+  // quadratic in the phase field: the matrix is the difference of residuals
+  const auto    &hanging = constraints.phase_field_hanging_nodes();
+  const DofSets &dofs    = fields.phase_field_dofs;
+  LinearAlgebra::SparsityPattern pattern(
+    dofs.owned, dofs.owned, dofs.relevant, MPI_COMM_WORLD);
+  dealii::DoFTools::make_sparsity_pattern(
+    fields.phase_field,
+    pattern,
+    hanging,
+    false,
+    dealii::Utilities::MPI::this_mpi_process(MPI_COMM_WORLD));
+  pattern.compress();
+  LinearAlgebra::SparseMatrix phase_field_matrix;
+  phase_field_matrix.reinit(pattern);
+
+  assemble(*assembler, phase_field(0.3), matrix);
+  Vector first = fields.owned_vector(dofs), second = first, expected = first;
+  assembler->phase_field_system(
+    phase_field(0.3), hanging, first, &phase_field_matrix);
+  assembler->phase_field_system(phase_field(0.6), hanging, second, nullptr);
+  Vector end = without_ghosts(phase_field(0.6), dofs);
+  end.add(-1., without_ghosts(phase_field(0.3), dofs));
+  hanging.set_zero(end);
+  phase_field_matrix.vmult(expected, end);
+  second.add(-1., first);
+  expected.add(-1., second);
+  EXPECT_GT(second.linfty_norm(), 1e-3);
+  EXPECT_LT(expected.linfty_norm(), 1e-12 * second.linfty_norm());
+}
