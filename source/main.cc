@@ -79,7 +79,7 @@ namespace
            const std::function<RunOutcome(Simulation<dimension> &)> &action)
   {
     const OutputTrace  trace(parameters.output.directory, MPI_COMM_WORLD);
-    std::exception_ptr refusal;
+    std::exception_ptr refusal, failure;
     RunOutcome         outcome;
     {
       Log                   log(on_first_rank());
@@ -97,7 +97,13 @@ namespace
       {
         refusal = std::current_exception();
       }
+      catch (const SolverError &)
+      {
+        failure = std::current_exception();
+      }
     }
+    if (failure)
+      std::rethrow_exception(failure);
     if (refusal)
     {
       trace.remove_refused_run();
@@ -170,6 +176,10 @@ main(int argc, char **argv)
   catch (const InputError &error)
   {
     return report(error.what(), 2);
+  }
+  catch (const SolverError &error)
+  {
+    return report(error.what(), 3);
   }
   catch (const FileError &error)
   {

@@ -22,6 +22,14 @@ namespace MixedCracks
   public:
     using std::runtime_error::runtime_error;
   };
+
+  /// The equations cannot be solved where there is no load step to repeat;
+  /// exit status 3. Thrown on all ranks.
+  class SolverError : public std::runtime_error
+  {
+  public:
+    using std::runtime_error::runtime_error;
+  };
 } // namespace MixedCracks
 
 #endif

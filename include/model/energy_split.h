@@ -9,7 +9,8 @@
 namespace MixedCracks
 {
   /// The two parts of the shear stress 2 mu eps at one point, in MPa, with
-  /// their derivatives by eps. Their sum is 2 mu eps for every strain.
+  /// their derivatives by eps. Their sum is 2 mu eps for every strain, unless
+  /// EnergySplit::adds_up() denies it.
   template <int dim>
   struct SplitStress
   {
@@ -37,6 +38,14 @@ namespace MixedCracks
     /// when both have the same tangents, so that a matrix need not be built
     /// again; -1 when the tangents change with every strain.
     virtual int branch(const dealii::SymmetricTensor<2, dim> &strain) const = 0;
+
+    /// Whether the parts add up to 2 mu eps, so that intact material is
+    /// linearly elastic. Only the pair of [Mang21] as printed does not.
+    virtual bool
+    adds_up() const
+    {
+      return true;
+    }
 
     /// Whether only p > 0 is degraded (true) or every p (false).
     virtual bool splits_pressure() const = 0;

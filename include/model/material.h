@@ -71,6 +71,14 @@ namespace MixedCracks
     double
     elastic_energy(const Strain &strain, double pressure, double g) const;
 
+    /// Whether intact material is linearly elastic; see
+    /// EnergySplit::adds_up().
+    bool
+    is_linear_when_intact() const
+    {
+      return split->adds_up();
+    }
+
     /// Whether the derivatives of mixed() form a symmetric matrix for every
     /// state; those of eliminated() always do.
     bool

@@ -37,25 +37,40 @@ def edges_of(points, faces):
     return pairs[first], count
 
 
+def point_finder(points):
+    """find(position): number of a point there, or None. Hanging nodes beside a
+    curved boundary are not quite in the middle of the long edge."""
+    reach = 2e-4 * (float(np.ptp(points, axis=0).max()) or 1.)
+    places = {}
+    for i, place in enumerate(np.floor(points[:, :2] / reach).astype(int)):
+        places.setdefault(tuple(place), i)
+
+    def find(position):
+        x, y = np.floor(position[:2] / reach).astype(int)
+        for near in ((x + i, y + j) for i in (0, -1, 1) for j in (0, -1, 1)):
+            if near in places:
+                return places[near]
+        return None
+    return find
+
+
 def outline_of(points, faces):
     """Boundary edges. At a hanging node the long edge and its two halves each
     belong to one face only: they are no boundary."""
     pairs, count = edges_of(points, faces)
     pairs = pairs[count == 1]
-    extent = float(np.ptp(points, axis=0).max()) or 1.
-
-    def key(a, b):
-        return (tuple(np.round(a / extent * 1e6).astype(int)),
-                tuple(np.round(b / extent * 1e6).astype(int)))
-
-    ends = points[pairs]
-    number = {}
-    for i, (a, b) in enumerate(ends):
-        number[key(a, b)] = number[key(b, a)] = i
+    place = vtu.merged_points(points)
+    ends = place[pairs]
+    number = {tuple(sorted(pair)): i for i, pair in enumerate(ends)}
+    used = np.unique(pairs)
+    find = point_finder(points[used])
     keep = np.ones(len(pairs), bool)
     for i, (a, b) in enumerate(ends):
-        middle = (a + b) / 2.
-        halves = [number.get(key(a, middle)), number.get(key(middle, b))]
+        middle = find(points[pairs[i]].mean(axis=0))
+        if middle is None:
+            continue
+        hanging = place[used[middle]]
+        halves = [number.get(tuple(sorted((end, hanging)))) for end in (a, b)]
         if None not in halves:
             keep[[i] + halves] = False
     return pairs[keep]

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include <core/case_signature.h>
+#include <core/errors.h>
 #include <core/simulation.h>
 
 #include <iostream>
@@ -120,7 +121,7 @@ namespace MixedCracks
       log);
     const LinearOutcome analysis = elastic_step->reinit();
     if (!analysis.success)
-      throw std::runtime_error(analysis.reason);
+      throw SolverError(analysis.reason);
     phase_field_step->reinit();
     boundary_quantities.reinit();
     fixed_phase_field.frozen = unbreakable_nodes(parameters, fields);
@@ -153,8 +154,8 @@ namespace MixedCracks
     const StepOutcome outcome =
       solve_step(state, relaxed, std::numeric_limits<double>::infinity());
     if (!outcome.solved)
-      throw std::runtime_error("the initial state cannot be computed: " +
-                               outcome.reason);
+      throw SolverError("the initial state cannot be computed: " +
+                        outcome.reason);
     relaxed.previous_phase_field = relaxed.phase_field;
     record(relaxed, relaxed, outcome);
     return relaxed;

@@ -2,6 +2,8 @@
 #include <core/collective.h>
 #include <core/simulation_setup.h>
 
+#include <deal.II/grid/grid_tools.h>
+
 #include <deal.II/numerics/vector_tools.h>
 
 #include <discretization/refinement.h>
@@ -19,6 +21,8 @@ namespace MixedCracks
             Triangulation<dim>    &triangulation)
   {
     parameters.geometry.chosen().create(triangulation);
+    // what only the mesh of a file can tell
+    parameters.mesh.check(GridTools::compute_bounding_box(triangulation));
     std::vector<RefinementBox<dim>> boxes;
     for (const RefinedBox<dim> &box : parameters.mesh.refined_boxes())
       boxes.push_back({BoundingBox<dim>({box.lower, box.upper}), box.levels});

@@ -230,6 +230,7 @@ namespace MixedCracks
       if (stop_requested())
       {
         outcome.interrupted = true;
+        outcome.reason      = "the run was asked to stop";
         return outcome;
       }
       // a settled phase field stays, for displacements that are not

@@ -46,17 +46,24 @@ namespace MixedCracks
 
 
     // (M3), [Amor09]: the volume change drives the crack in expansion only,
-    // the deviator always
+    // the deviator always. The coefficient of <tr eps> I is @p factor mu: 2/n
+    // makes the parts add up.
     template <int dim>
     class VolumetricDeviatoricSplit : public EnergySplit<dim>
     {
     public:
       explicit VolumetricDeviatoricSplit(const int deviator_dimension)
-        : n(dim == 3 ? 3. : deviator_dimension)
+        : VolumetricDeviatoricSplit(deviator_dimension,
+                                    2. / effective(deviator_dimension))
+      {}
+
+      VolumetricDeviatoricSplit(const int    deviator_dimension,
+                                const double factor)
+        : n(effective(deviator_dimension))
+        , factor(factor)
         , volumetric(outer_product(unit_symmetric_tensor<dim>(),
-                                   unit_symmetric_tensor<dim>()) /
-                     n)
-        , deviatoric(identity_tensor<dim>() - volumetric)
+                                   unit_symmetric_tensor<dim>()))
+        , deviatoric(identity_tensor<dim>() - volumetric / n)
       {
         Assert(deviator_dimension == 2 || deviator_dimension == 3,
                dealii::ExcMessage("The deviator is one of 2 or 3 dimensions."));
@@ -67,20 +74,18 @@ namespace MixedCracks
                const double                   mu) const override
       {
         SplitStress<dim> result;
-        result.positive         = 2. * mu * strain;
-        result.positive_tangent = 2. * mu * deviatoric;
-        if (expands(strain))
-          result.positive_tangent += 2. * mu * volumetric;
-        else
+        result.positive            = 2. * mu * strain;
+        result.positive_tangent    = 2. * mu * deviatoric;
+        const double volume_change = trace(strain);
+        const bool   expansion     = expands(strain);
+        const double pressure      = factor * mu * volume_change;
+        for (unsigned int d = 0; d < dim; ++d)
         {
-          const double pressure = 2. * mu / n * trace(strain);
-          for (unsigned int d = 0; d < dim; ++d)
-          {
-            result.negative[d][d] = pressure;
-            result.positive[d][d] -= pressure;
-          }
-          result.negative_tangent = 2. * mu * volumetric;
+          result.positive[d][d] -= 2. * mu / n * volume_change;
+          (expansion ? result.positive : result.negative)[d][d] += pressure;
         }
+        (expansion ? result.positive_tangent : result.negative_tangent) +=
+          factor * mu * volumetric;
         return result;
       }
 
@@ -96,7 +101,19 @@ namespace MixedCracks
         return true;
       }
 
+      bool
+      adds_up() const override
+      {
+        return factor == 2. / n;
+      }
+
     private:
+      static double
+      effective(const int deviator_dimension)
+      {
+        return dim == 3 ? 3. : deviator_dimension;
+      }
+
       static bool
       expands(const SymmetricTensor<2, dim> &strain)
       {
@@ -104,7 +121,8 @@ namespace MixedCracks
       }
 
       const double                  n;
-      const SymmetricTensor<4, dim> volumetric; ///< I x I / n
+      const double                  factor;
+      const SymmetricTensor<4, dim> volumetric; ///< I x I
       const SymmetricTensor<4, dim> deviatoric;
     };
   } // namespace
@@ -128,6 +146,13 @@ namespace MixedCracks
         "(Amor, Marigo and Maurini 2009)",
         [](const int n) -> std::unique_ptr<EnergySplit<dim>> {
           return std::make_unique<VolumetricDeviatoricSplit<dim>>(n);
+        }},
+       {"volumetric-deviatoric as printed",
+        "the coefficients printed by Mang et al. (2021), mu <tr eps> and a "
+        "deviator with 1/3; they do not add up to the elastic stress, not even "
+        "in intact material, and are here for comparison only",
+        [](const int) -> std::unique_ptr<EnergySplit<dim>> {
+          return std::make_unique<VolumetricDeviatoricSplit<dim>>(3, 1.);
         }}});
     return list;
   }

@@ -203,6 +203,8 @@ TYPED_TEST(ElasticKernelOf, PassesThePatchTestWhenIntact)
   // Hooke's law times the gradients of the shape functions
   constexpr int dim = TypeParam::value;
   for_all_materials<dim>([](const Material<dim> &material) {
+    if (!material.is_linear_when_intact())
+      return;
     OneCell<dim> cell(true, material);
     cell.lagged_phase_field.assign(cell.quadrature.size(), 1.);
     const auto  strain   = random_strains<dim>(1)[0];

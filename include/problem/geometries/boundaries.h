@@ -4,8 +4,48 @@
 
 #include <deal.II/grid/tria.h>
 
+#include <map>
+#include <optional>
+#include <string>
+
 namespace MixedCracks
 {
+  /// Ids of the sides of a box in the plane; what else a geometry has counts
+  /// on from n_box_sides.
+  enum BoxSide : dealii::types::boundary_id
+  {
+    left,
+    right,
+    bottom,
+    top,
+    n_box_sides
+  };
+
+  inline std::map<std::string, dealii::types::boundary_id>
+  box_side_ids()
+  {
+    return {{"left", left}, {"right", right}, {"bottom", bottom}, {"top", top}};
+  }
+
+  /// The side of the box from the origin to (@p width, @p height) that @p p
+  /// lies on, if it does; mm.
+  inline std::optional<BoxSide>
+  box_side_at(const dealii::Point<2> &p,
+              const double            width,
+              const double            height)
+  {
+    const double tolerance = 1e-9 * (width + height);
+    if (p[0] < tolerance)
+      return left;
+    if (p[0] > width - tolerance)
+      return right;
+    if (p[1] < tolerance)
+      return bottom;
+    if (p[1] > height - tolerance)
+      return top;
+    return {};
+  }
+
   /// Give every boundary face of a coarse mesh the id that @p id_at says for
   /// the mean of its vertices. Every rank does this for the whole mesh.
   template <int dim, typename Function>

@@ -10,15 +10,8 @@ namespace MixedCracks
 {
   namespace
   {
-    enum BoundaryPart : dealii::types::boundary_id
-    {
-      left,
-      right,
-      bottom,
-      top,
-      reentrant_horizontal,
-      reentrant_vertical
-    };
+    constexpr dealii::types::boundary_id reentrant_horizontal = n_box_sides;
+    constexpr dealii::types::boundary_id reentrant_vertical   = n_box_sides + 1;
 
     const std::string subsection = "Geometry/L-shape/";
   } // namespace
@@ -58,12 +51,10 @@ namespace MixedCracks
   std::map<std::string, dealii::types::boundary_id>
   LShape<dim>::boundary_ids() const
   {
-    return {{"left", left},
-            {"right", right},
-            {"bottom", bottom},
-            {"top", top},
-            {"reentrant horizontal", reentrant_horizontal},
-            {"reentrant vertical", reentrant_vertical}};
+    auto ids                    = box_side_ids();
+    ids["reentrant horizontal"] = reentrant_horizontal;
+    ids["reentrant vertical"]   = reentrant_vertical;
+    return ids;
   }
 
 
@@ -87,19 +78,12 @@ namespace MixedCracks
       return center[0] > half && center[1] < half;
     }).create(triangulation);
 
-    const double tolerance = 1e-9 * size;
     set_boundary_ids_by_center(
-      triangulation, [&](const dealii::Point<dim> &center) -> BoundaryPart {
-        if (center[0] < tolerance)
-          return left;
-        if (center[0] > size - tolerance)
-          return right;
-        if (center[1] < tolerance)
-          return bottom;
-        if (center[1] > size - tolerance)
-          return top;
-        return center[0] > half + tolerance ? reentrant_horizontal
-                                            : reentrant_vertical;
+      triangulation, [&](const dealii::Point<dim> &center) {
+        if (const auto side = box_side_at(center, size, size))
+          return dealii::types::boundary_id(*side);
+        return center[0] > half + 1e-9 * size ? reentrant_horizontal
+                                              : reentrant_vertical;
       });
   }
 

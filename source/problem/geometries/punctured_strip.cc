@@ -13,15 +13,8 @@ namespace MixedCracks
 {
   namespace
   {
-    enum BoundaryPart : dealii::types::boundary_id
-    {
-      left,
-      right,
-      bottom,
-      top,
-      hole,
-      notch
-    };
+    constexpr dealii::types::boundary_id hole  = n_box_sides;
+    constexpr dealii::types::boundary_id notch = n_box_sides + 1;
 
     constexpr dealii::types::manifold_id circle_manifold = 1;
     constexpr dealii::types::manifold_id ring_manifold   = 2;
@@ -157,8 +150,7 @@ namespace MixedCracks
   std::map<std::string, dealii::types::boundary_id>
   PuncturedStrip<dim>::boundary_ids() const
   {
-    std::map<std::string, dealii::types::boundary_id> ids = {
-      {"left", left}, {"right", right}, {"bottom", bottom}, {"top", top}};
+    auto ids = box_side_ids();
     if (measures.has_hole())
       ids["hole"] = hole;
     if (measures.has_notch())
@@ -208,22 +200,15 @@ namespace MixedCracks
     dealii::Triangulation<dim> &triangulation) const
   {
     const double tolerance = 1e-9 * (measures.width + measures.height);
-    const auto   is_near   = [tolerance](const double a, const double b) {
-      return std::abs(a - b) < tolerance;
-    };
     set_boundary_ids_by_center(
-      triangulation, [&](const dealii::Point<dim> &center) -> BoundaryPart {
-        if (is_near(center[0], 0.))
-          return left;
-        if (is_near(center[0], measures.width))
-          return right;
-        if (is_near(center[1], 0.))
-          return bottom;
-        if (is_near(center[1], measures.height))
-          return top;
-        const bool on_notch = measures.has_notch() &&
-                              is_near(center[1], measures.notch_height) &&
-                              center[0] < measures.notch_length;
+      triangulation, [&](const dealii::Point<dim> &center) {
+        if (const auto side =
+              box_side_at(center, measures.width, measures.height))
+          return dealii::types::boundary_id(*side);
+        const bool on_notch =
+          measures.has_notch() &&
+          std::abs(center[1] - measures.notch_height) < tolerance &&
+          center[0] < measures.notch_length;
         return on_notch ? notch : hole;
       });
   }

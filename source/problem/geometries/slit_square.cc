@@ -6,20 +6,11 @@
 
 #include <deal.II/base/patterns.h>
 
-#include <cmath>
-
 namespace MixedCracks
 {
   namespace
   {
-    enum BoundaryPart : dealii::types::boundary_id
-    {
-      left,
-      right,
-      bottom,
-      top,
-      slit
-    };
+    constexpr dealii::types::boundary_id slit = n_box_sides;
 
     const std::string subsection = "Geometry/Slit square/";
   } // namespace
@@ -78,11 +69,9 @@ namespace MixedCracks
   std::map<std::string, dealii::types::boundary_id>
   SlitSquare<dim>::boundary_ids() const
   {
-    return {{"left", left},
-            {"right", right},
-            {"bottom", bottom},
-            {"top", top},
-            {"slit", slit}};
+    auto ids    = box_side_ids();
+    ids["slit"] = slit;
+    return ids;
   }
 
 
@@ -105,16 +94,10 @@ namespace MixedCracks
     mesh.open_slit({slit_length, slit_height});
     mesh.create(triangulation);
 
-    const double tolerance = 1e-9 * size;
     set_boundary_ids_by_center(
-      triangulation, [&](const dealii::Point<dim> &center) -> BoundaryPart {
-        if (center[0] < tolerance)
-          return left;
-        if (center[0] > size - tolerance)
-          return right;
-        if (center[1] < tolerance)
-          return bottom;
-        return center[1] > size - tolerance ? top : slit;
+      triangulation, [this](const dealii::Point<dim> &center) {
+        const auto side = box_side_at(center, size, size);
+        return side ? dealii::types::boundary_id(*side) : slit;
       });
   }
 
