@@ -76,7 +76,7 @@ namespace
     {"big hole", {{"Hole center", "10, 20"}, {"Hole radius", "7"}}, 4.5},
     {"small hole", {{"Hole radius", "1"}}, 2.3},
     {"tiny hole", {{"Hole radius", "0.1"}}, 2.6},
-    {"fine", {{"Cell size", "0.5"}}, 1.8}};
+    {"fine", {{"Cell size", "0.5"}}, 2.1}};
 } // namespace
 
 
