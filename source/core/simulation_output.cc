@@ -36,9 +36,9 @@ namespace MixedCracks
                           const State       &state,
                           const StepOutcome &outcome)
   {
-    TimerOutput::Scope scope(timer, "output");
-    const double       thickness = parameters.material.thickness;
-    StatisticsRow      row;
+    std::optional<TimerOutput::Scope> scope(std::in_place, timer, "output");
+    const double                      thickness = parameters.material.thickness;
+    StatisticsRow                     row;
     row.step         = static_cast<unsigned int>(statistics.rows().size());
     row.time         = state.time;
     row.displacement = boundary_quantities.displacement(state.time);
@@ -73,6 +73,7 @@ namespace MixedCracks
     }
     separated = load_control.is_separated(row.force_size());
     write_fields_when_due(state);
+    scope.reset(); // a checkpoint has its own
     const unsigned int every = parameters.output.checkpoint_every;
     if (every > 0 && row.step > 0 && row.step % every == 0)
       write_checkpoint(state);
