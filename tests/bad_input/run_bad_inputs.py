@@ -77,7 +77,10 @@ def arguments(case):
 
 def run(command, folder):
     """(exit status or None when it took too long, stdout, stderr)."""
+    # Open MPI waits a second or two after a program that failed
+    environment = dict(os.environ, OMPI_MCA_odls_base_sigkill_timeout="0")
     process = subprocess.Popen(command, cwd=folder, stdin=subprocess.DEVNULL,
+                               env=environment,
                                stdout=subprocess.PIPE, stderr=subprocess.PIPE,
                                start_new_session=True)
     try:
