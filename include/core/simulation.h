@@ -51,7 +51,19 @@ namespace MixedCracks
   private:
     void make_mesh_and_material();
 
-    void set_up_mesh_dependent();
+    void make_solvers();
+
+    /// Everything that depends on the mesh, after it changed.
+    void reinit_on_mesh();
+
+    /// Set the refinement flags that a phase field asks for; false: none.
+    bool flag_cells(const LinearAlgebra::Vector &phase_field);
+
+    void refine_initial_mesh();
+
+    /// Refine the flagged cells, and on until nothing is flagged; the states
+    /// are carried over.
+    void refine(State &accepted, State &trial);
 
     void prepare_output(ExistingRun existing);
 
@@ -73,7 +85,9 @@ namespace MixedCracks
 
     bool stop_now() const;
 
-    StepOutcome solve_step(const State &accepted, State &trial, double bound);
+    /// Predict the step, refine where the prediction damages coarse cells
+    /// and correct it, until nothing is left to refine.
+    StepOutcome solve_step(State &accepted, State &trial, double bound);
 
     void
     record(const State &before, const State &state, const StepOutcome &outcome);
@@ -123,8 +137,9 @@ namespace MixedCracks
     Checkpoint<dim>          checkpoint;
     std::optional<RunRecord> resumed;
     State                    peak_state;
-    unsigned int             peak_step = 0;
-    bool                     separated = false;
+    unsigned int             peak_step     = 0;
+    bool                     separated     = false;
+    unsigned int             n_refinements = 0; // of the mesh, in all
     std::string              case_in_words;
     std::vector<std::string> warnings;
   };

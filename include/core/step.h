@@ -34,10 +34,12 @@ namespace MixedCracks
   {
     /// the equations are solved, or were left because the phase field has
     /// changed by more than allowed
-    bool         solved              = false;
-    bool         interrupted         = false; ///< the user asked to stop
-    double       phase_field_change  = 0.;    ///< max(phi^(n-1) - phi^n)
-    double       coupling_change     = 0.;    ///< last max|phi - phi~|
+    bool solved      = false;
+    bool interrupted = false; ///< the user asked to stop
+    /// the predicted phase field damages cells that are to be refined
+    bool         mesh_is_too_coarse  = false;
+    double       phase_field_change  = 0.; ///< max(phi^(n-1) - phi^n)
+    double       coupling_change     = 0.; ///< last max|phi - phi~|
     unsigned int coupling_iterations = 0;
     unsigned int newton_iterations   = 0;
     unsigned int linear_iterations   = 0;
@@ -52,23 +54,36 @@ namespace MixedCracks
   class StepSolver
   {
   public:
+    struct Callbacks
+    {
+      std::function<bool()> stop_requested;
+      /// whether this phase field, with ghosts, needs finer cells
+      std::function<bool(const LinearAlgebra::Vector &)> needs_finer_mesh;
+    };
+
     StepSolver(ElasticStep<dim>      &elastic,
                PhaseFieldStep<dim>   &phase_field,
                const CouplingOptions &options,
                const NewtonOptions   &newton_options,
-               std::function<bool()>  stop_requested,
+               Callbacks              callbacks,
                MPI_Comm               communicator,
                Log                   &log);
 
     /// Solve for @p trial, whose time is set, from @p accepted. Left early
-    /// when the phase field changed by more than @p bound.
+    /// when the phase field changed by more than @p bound, and when the mesh
+    /// is too coarse: then both states are to be carried to a finer one, and
+    /// this is called again with the outcome so far. The iterated coupling
+    /// goes on where it was, the others redo the step.
     StepOutcome solve(const State           &accepted,
                       const FixedPhaseField &fixed,
                       double                 bound,
+                      const StepOutcome     &so_far,
                       State                 &trial);
 
   private:
     bool is_settled(const StepOutcome &outcome) const;
+
+    void start(const State &accepted, State &trial);
 
     void start_lagged_field(const State &accepted, State &trial) const;
 
@@ -86,13 +101,13 @@ namespace MixedCracks
                        const ActiveSetOutcome &active_set,
                        double                  change);
 
-    ElasticStep<dim>           &elastic;
-    PhaseFieldStep<dim>        &phase_field;
-    const CouplingOptions       options;
-    const NewtonOptions         newton_options;
-    const std::function<bool()> stop_requested;
-    const MPI_Comm              communicator;
-    Log                        &log;
+    ElasticStep<dim>     &elastic;
+    PhaseFieldStep<dim>  &phase_field;
+    const CouplingOptions options;
+    const NewtonOptions   newton_options;
+    const Callbacks       callbacks;
+    const MPI_Comm        communicator;
+    Log                  &log;
 
     FixedPointAcceleration acceleration;
   };

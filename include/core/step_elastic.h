@@ -60,6 +60,9 @@ namespace MixedCracks
     /// trial.reaction too. At most @p max_iterations Newton iterations.
     NewtonOutcome solve(State &trial, const NewtonOptions &options);
 
+    /// state.reaction from its other members, as after a change of the mesh.
+    void update_reaction(State &state);
+
     /// Work of the loads between two states by the trapezoidal rule, and of
     /// the supports; N (mJ per mm thickness).
     double external_work(const State &before, const State &after) const;

@@ -33,6 +33,7 @@ namespace MixedCracks
     double                coupling_change     = 0.;
     unsigned int          factorizations      = 0;
     unsigned int          rejected_steps      = 0;
+    unsigned int          refinements         = 0;
 
     /// Length of the force vector, N.
     double force_size() const;

@@ -31,6 +31,9 @@ namespace MixedCracks
     unsigned int adaptive_levels = 0;
     /// rho of [HWW15]: cells with a smaller phase field are refined.
     double phase_field_threshold = 0.7;
+    /// Cells this near to damaged ones are refined with them; in length
+    /// scales.
+    double refinement_margin = 3.;
 
     /// Enters the subsection itself.
     void add_parameters(dealii::ParameterHandler &prm);
@@ -39,6 +42,13 @@ namespace MixedCracks
     /// @p extent (mm; none: not known yet).
     void
     check(const std::optional<dealii::BoundingBox<dim>> &extent = {}) const;
+
+    /// Level of the finest cells that adaptation makes.
+    unsigned int
+    finest_adaptive_level() const
+    {
+      return global_refinements + adaptive_levels;
+    }
 
     /// The entry "Refined boxes". Throws InputError.
     std::vector<RefinedBox<dim>> refined_boxes() const;

@@ -59,7 +59,11 @@ namespace MixedCracks
     preflight();
     if (existing != ExistingRun::refuse)
       prepare_output(existing);
-    set_up_mesh_dependent();
+    constraints.reinit();
+    if (!resumed)
+      refine_initial_mesh();
+    make_solvers();
+    reinit_on_mesh();
 
     State accepted = resumed ? resumed_state() : initial_state();
     while (!load_control.at_end() && !separated)
@@ -98,10 +102,9 @@ namespace MixedCracks
 
   template <int dim>
   void
-  Simulation<dim>::set_up_mesh_dependent()
+  Simulation<dim>::make_solvers()
   {
     const unsigned int n_components = fields.elastic.get_fe().n_components();
-    constraints.reinit();
     assembler = std::make_unique<Assembler<dim>>(fields, *material);
     elastic_step =
       std::make_unique<ElasticStep<dim>>(fields,
@@ -116,17 +119,29 @@ namespace MixedCracks
       *phase_field_step,
       coupling_options(parameters.model),
       parameters.solver.newton,
-      [this]() { return stop_now(); },
+      typename StepSolver<dim>::Callbacks{
+        [this]() { return stop_now(); },
+        [this](const LinearAlgebra::Vector &phase_field) {
+          return flag_cells(phase_field);
+        }},
       communicator,
       log);
+    log.line("linear solver: direct, " +
+             elastic_step->linear_solver().package());
+  }
+
+
+
+  template <int dim>
+  void
+  Simulation<dim>::reinit_on_mesh()
+  {
     const LinearOutcome analysis = elastic_step->reinit();
     if (!analysis.success)
       throw SolverError(analysis.reason);
     phase_field_step->reinit();
     boundary_quantities.reinit();
     fixed_phase_field.frozen = unbreakable_nodes(parameters, fields);
-    log.line("linear solver: direct, " +
-             elastic_step->linear_solver().package());
   }
 
 
@@ -165,13 +180,19 @@ namespace MixedCracks
 
   template <int dim>
   StepOutcome
-  Simulation<dim>::solve_step(const State &accepted,
-                              State       &trial,
-                              const double bound)
+  Simulation<dim>::solve_step(State &accepted, State &trial, const double bound)
   {
-    fixed_phase_field.prescribed =
-      prescribed_phase_field(parameters, fields, trial.time);
-    return step_solver->solve(accepted, fixed_phase_field, bound, trial);
+    StepOutcome outcome;
+    while (true)
+    {
+      fixed_phase_field.prescribed =
+        prescribed_phase_field(parameters, fields, trial.time);
+      outcome =
+        step_solver->solve(accepted, fixed_phase_field, bound, outcome, trial);
+      if (!outcome.mesh_is_too_coarse)
+        return outcome;
+      refine(accepted, trial);
+    }
   }
 
 

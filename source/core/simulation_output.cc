@@ -63,6 +63,7 @@ namespace MixedCracks
     row.coupling_change     = outcome.coupling_change;
     row.factorizations      = elastic_step->counts().factorizations;
     row.rejected_steps      = load_control.n_rejected();
+    row.refinements         = n_refinements;
     statistics.add(row);
     log_step(row);
 

@@ -64,6 +64,7 @@ namespace MixedCracks
     peak_step     = resumed->peak_step;
     peak_state    = state;
     statistics.restore(resumed->rows);
+    n_refinements = resumed->rows.back().refinements;
     field_output.restore(resumed->field_files);
     log.line("resumed at step " +
              std::to_string(statistics.rows().back().step));

@@ -63,14 +63,14 @@ namespace MixedCracks
                               PhaseFieldStep<dim>   &phase_field,
                               const CouplingOptions &options,
                               const NewtonOptions   &newton_options,
-                              std::function<bool()>  stop_requested,
+                              Callbacks              callbacks,
                               const MPI_Comm         communicator,
                               Log                   &log)
     : elastic(elastic)
     , phase_field(phase_field)
     , options(options)
     , newton_options(newton_options)
-    , stop_requested(std::move(stop_requested))
+    , callbacks(std::move(callbacks))
     , communicator(communicator)
     , log(log)
     , acceleration(options.acceleration)
@@ -181,21 +181,36 @@ namespace MixedCracks
 
 
   template <int dim>
+  void
+  StepSolver<dim>::start(const State &accepted, State &trial)
+  {
+    start_lagged_field(accepted, trial);
+    trial.phase_field = accepted.phase_field;
+    elastic.predict(accepted, trial);
+    log.line("  coupl  |r_u| in       out   out |r_p| active"
+             "  changes descents newton  linear  |phi-phi~| factor");
+  }
+
+
+
+  template <int dim>
   StepOutcome
   StepSolver<dim>::solve(const State           &accepted,
                          const FixedPhaseField &fixed,
                          const double           bound,
+                         const StepOutcome     &so_far,
                          State                 &trial)
   {
-    const bool iterated = options.kind == CouplingOptions::Kind::iterated;
-    start_lagged_field(accepted, trial);
-    trial.phase_field = accepted.phase_field;
+    const bool  iterated = options.kind == CouplingOptions::Kind::iterated;
+    StepOutcome outcome  = so_far;
     acceleration.restart();
-    elastic.predict(accepted, trial);
-    log.line("  coupl  |r_u| in       out   out |r_p| active"
-             "  changes descents newton  linear  |phi-phi~| factor");
+    if (!iterated || !outcome.mesh_is_too_coarse)
+      start(accepted, trial);
+    else
+      // what was predicted is the best guess there is
+      trial.lagged_phase_field = trial.phase_field;
+    outcome.mesh_is_too_coarse = false;
 
-    StepOutcome outcome;
     while (true)
     {
       const NewtonOutcome newton = solve_elastic(outcome, trial);
@@ -217,6 +232,12 @@ namespace MixedCracks
         outcome.reason = active_set.reason;
         return outcome;
       }
+      if (!(outcome.phase_field_change > bound) &&
+          callbacks.needs_finer_mesh(trial.phase_field))
+      {
+        outcome.mesh_is_too_coarse = true;
+        return outcome;
+      }
       const bool settled = is_settled(outcome) &&
                            newton.last.largest() <= newton_options.tolerance;
       if (!iterated || settled || outcome.phase_field_change > bound)
@@ -227,7 +248,7 @@ namespace MixedCracks
                          std::to_string(options.max_iterations) + " iterations";
         return outcome;
       }
-      if (stop_requested())
+      if (callbacks.stop_requested())
       {
         outcome.interrupted = true;
         outcome.reason      = "the run was asked to stop";

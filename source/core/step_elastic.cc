@@ -203,8 +203,25 @@ namespace MixedCracks
     };
     const NewtonOutcome outcome = solve_newton(problem, options);
     constraints.keep_prescribed(full_residual);
+    if (trial.reaction.size() != full_residual.size())
+      trial.reaction = trial.elastic; // ghosts of the present mesh
     trial.reaction = full_residual;
     return outcome;
+  }
+
+
+
+  template <int dim>
+  void
+  ElasticStep<dim>::update_reaction(State &state)
+  {
+    external = external_forces(state.time);
+    evaluate_residual(state);
+    constraints.keep_prescribed(full_residual);
+    state.reaction.reinit(fields.elastic_dofs.owned,
+                          fields.elastic_dofs.relevant,
+                          fields.communicator());
+    state.reaction = full_residual;
   }
 
 

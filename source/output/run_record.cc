@@ -35,6 +35,7 @@ namespace MixedCracks
       action(row.coupling_change);
       action(row.factorizations);
       action(row.rejected_steps);
+      action(row.refinements);
     }
   } // namespace
 

@@ -21,7 +21,7 @@ namespace MixedCracks
              "min_phase_field,max_phase_field_change,newton_iterations,"
              "linear_iterations,active_set_size,cells,dofs,wall_time_s,"
              "coupling_iterations,coupling_change,factorizations,"
-             "rejected_steps\n";
+             "rejected_steps,refinements\n";
     }
 
 
@@ -41,7 +41,7 @@ namespace MixedCracks
           << row.cells << ',' << row.dofs << ',' << std::setprecision(4)
           << row.wall_time << ',' << row.coupling_iterations << ','
           << row.coupling_change << ',' << row.factorizations << ','
-          << row.rejected_steps << '\n';
+          << row.rejected_steps << ',' << row.refinements << '\n';
       return out.str();
     }
   } // namespace

@@ -71,17 +71,28 @@ namespace MixedCracks
                       Anything());
     prm.add_parameter("Adaptation",
                       adaptation,
-                      "Refinement during the run. 'none': the mesh stays.",
-                      Selection("none"));
+                      "Refinement during the run. 'none': the mesh stays; "
+                      "'predictor corrector': cells that a step damages are "
+                      "refined within the step, and the step is corrected. "
+                      "The length scale stays, h in its expression is that of "
+                      "the mesh at the start.",
+                      Selection("none|predictor corrector"));
     prm.add_parameter("Adaptive levels",
                       adaptive_levels,
-                      "How many levels adaptation may add.",
+                      "How many levels adaptation may add to the global "
+                      "refinements.",
                       Integer(0, max_levels));
     prm.add_parameter("Phase-field threshold",
                       phase_field_threshold,
                       "Adaptation refines cells where the phase field falls "
                       "below this; dimensionless.",
                       Double(0., 1.));
+    prm.add_parameter("Refinement margin",
+                      refinement_margin,
+                      "Cells within this distance of damaged nodes are refined "
+                      "with them, so that a running crack does not meet coarse "
+                      "cells at once. Unit: Model/Length scale.",
+                      Double(0.));
     prm.leave_subsection();
   }
 

@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#ifndef mixed_cracks_discretization_adaptation_h
+#define mixed_cracks_discretization_adaptation_h
+
+#include <core/linear_algebra.h>
+
+#include <deal.II/distributed/tria.h>
+
+#include <discretization/constraints.h>
+#include <discretization/fields.h>
+
+#include <vector>
+
+namespace MixedCracks
+{
+  /// Where a predicted phase field asks for finer cells [HWW15, ch. 4].
+  struct AdaptationRule
+  {
+    /// cells with a smaller phase field are damaged; rho
+    double threshold = 0.7;
+    /// no cell is made finer than this level
+    unsigned int finest_level = 0;
+    /// cells within this distance of damaged nodes are refined with them, so
+    /// that a running crack does not need another mesh at once; mm
+    double margin = 0.;
+  };
+
+  /// Set the refinement flags; false when no cell has one on any rank, which
+  /// is so when all damaged cells are as fine as they may be. @p phase_field
+  /// has ghosts. Collective.
+  template <int dim>
+  bool flag_damaged_cells(const Fields<dim>           &fields,
+                          const LinearAlgebra::Vector &phase_field,
+                          const AdaptationRule        &rule,
+                          dealii::Triangulation<dim>  &triangulation);
+
+  /// Refine the flagged cells, number the fields anew, and carry the vectors
+  /// over, which have ghosts before and after. Exact for functions of the
+  /// elements but for cells at curved boundaries; interpolation on finer
+  /// cells keeps the phase field within its bounds. @p constraints are those
+  /// of the new mesh afterwards. Collective.
+  template <int dim>
+  void refine_and_transfer(
+    dealii::parallel::distributed::Triangulation<dim> &triangulation,
+    Fields<dim>                                       &fields,
+    Constraints<dim>                                  &constraints,
+    const std::vector<LinearAlgebra::Vector *>        &elastic,
+    const std::vector<LinearAlgebra::Vector *>        &phase_field);
+} // namespace MixedCracks
+
+#endif

@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include <core/simulation.h>
+
+#include <discretization/adaptation.h>
+
+namespace MixedCracks
+{
+  using namespace dealii;
+
+  namespace
+  {
+    void
+    collect(State                                &state,
+            std::vector<LinearAlgebra::Vector *> &elastic,
+            std::vector<LinearAlgebra::Vector *> &phase_field)
+    {
+      // the peak has no state before the first step is accepted
+      if (state.elastic.size() == 0)
+        return;
+      elastic.push_back(&state.elastic);
+      for (LinearAlgebra::Vector *vector : {&state.phase_field,
+                                            &state.lagged_phase_field,
+                                            &state.previous_phase_field})
+        phase_field.push_back(vector);
+    }
+  } // namespace
+
+
+
+  template <int dim>
+  bool
+  Simulation<dim>::flag_cells(const LinearAlgebra::Vector &phase_field)
+  {
+    if (parameters.mesh.adaptation == "none")
+      return false;
+    AdaptationRule rule;
+    rule.threshold    = parameters.mesh.phase_field_threshold;
+    rule.finest_level = parameters.mesh.finest_adaptive_level();
+    rule.margin =
+      parameters.mesh.refinement_margin * material->description().length_scale;
+    return flag_damaged_cells(fields, phase_field, rule, triangulation);
+  }
+
+
+
+  template <int dim>
+  void
+  Simulation<dim>::refine_initial_mesh()
+  {
+    // the initial phase field is set anew on each mesh: interpolated, it would
+    // be damaged over the width of a coarse cell
+    while (true)
+    {
+      const LinearAlgebra::Vector start =
+        initial_phase_field(parameters, fields, constraints);
+      LinearAlgebra::Vector phase_field =
+        fields.ghosted_vector(fields.phase_field_dofs);
+      phase_field = start;
+      if (!flag_cells(phase_field))
+        return;
+      refine_and_transfer(triangulation, fields, constraints, {}, {});
+    }
+  }
+
+
+
+  template <int dim>
+  void
+  Simulation<dim>::refine(State &accepted, State &trial)
+  {
+    TimerOutput::Scope scope(timer, "refinement");
+    // a round adds one level; the flags of the first are set
+    do
+    {
+      std::vector<LinearAlgebra::Vector *> elastic, phase_field;
+      for (State *state : {&accepted, &trial, &peak_state})
+        collect(*state, elastic, phase_field);
+      refine_and_transfer(
+        triangulation, fields, constraints, elastic, phase_field);
+    } while (flag_cells(trial.phase_field));
+    ++n_refinements;
+    reinit_on_mesh();
+    // nodal forces cannot be interpolated
+    elastic_step->update_reaction(accepted);
+    if (peak_state.elastic.size() > 0)
+      peak_state.reaction = accepted.reaction;
+    log.line(printed(
+      "  refined: %llu cells, %llu dofs",
+      static_cast<unsigned long long>(triangulation.n_global_active_cells()),
+      static_cast<unsigned long long>(fields.n_dofs())));
+  }
+
+
+
+  template bool Simulation<2>::flag_cells(const LinearAlgebra::Vector &);
+  template void Simulation<2>::refine_initial_mesh();
+  template void Simulation<2>::refine(State &, State &);
+} // namespace MixedCracks
