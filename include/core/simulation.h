@@ -102,6 +102,9 @@ namespace MixedCracks
 
     double smallest_phase_field(const State &state) const;
 
+    /// Of cells that adaptation has refined as far as it may; mm.
+    double cell_size_at_cracks() const;
+
     void log_header();
 
     void collect_warnings();

@@ -68,16 +68,18 @@ namespace MixedCracks
   void
   Simulation<dim>::refine(State &accepted, State &trial)
   {
-    TimerOutput::Scope scope(timer, "refinement");
-    // a round adds one level; the flags of the first are set
-    do
     {
-      std::vector<LinearAlgebra::Vector *> elastic, phase_field;
-      for (State *state : {&accepted, &trial, &peak_state})
-        collect(*state, elastic, phase_field);
-      refine_and_transfer(
-        triangulation, fields, constraints, elastic, phase_field);
-    } while (flag_cells(trial.phase_field));
+      TimerOutput::Scope scope(timer, "refinement");
+      // a round adds one level; the flags of the first are set
+      do
+      {
+        std::vector<LinearAlgebra::Vector *> elastic, phase_field;
+        for (State *state : {&accepted, &trial, &peak_state})
+          collect(*state, elastic, phase_field);
+        refine_and_transfer(
+          triangulation, fields, constraints, elastic, phase_field);
+      } while (flag_cells(trial.phase_field));
+    }
     ++n_refinements;
     reinit_on_mesh();
     // nodal forces cannot be interpolated

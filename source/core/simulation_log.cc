@@ -32,6 +32,20 @@ namespace MixedCracks
 
 
   template <int dim>
+  double
+  Simulation<dim>::cell_size_at_cracks() const
+  {
+    const int present = triangulation.n_global_levels() - 1;
+    const int finest  = parameters.mesh.adaptation == "none"
+                          ? present
+                          : parameters.mesh.finest_adaptive_level();
+    return finest_cell_size(triangulation, communicator) *
+           std::pow(0.5, std::max(0, finest - present));
+  }
+
+
+
+  template <int dim>
   void
   Simulation<dim>::log_header()
   {
@@ -54,9 +68,9 @@ namespace MixedCracks
       static_cast<unsigned long long>(fields.phase_field.n_dofs())));
     log.line(printed("finest cells h = %.4g mm; length scale l = %.4g mm, "
                      "l/h = %.3g; kappa = %.3g",
-                     cell_size,
+                     cell_size_at_cracks(),
                      constants.length_scale,
-                     constants.length_scale / cell_size,
+                     constants.length_scale / cell_size_at_cracks(),
                      constants.residual_stiffness));
     log.line(locking_in_words(parameters.material.elastic(), model.mixed()));
     log.line(printed("memory: about %.2g GB with the direct solver, all ranks "
@@ -70,8 +84,8 @@ namespace MixedCracks
   void
   Simulation<dim>::collect_warnings()
   {
-    const MaterialDescription &constants  = material->description();
-    const double               resolution = constants.length_scale / cell_size;
+    const MaterialDescription &constants = material->description();
+    const double resolution = constants.length_scale / cell_size_at_cracks();
     if (resolution < 2. * (1. - 1e-6))
       warnings.push_back(printed(
         "l/h = %.3g: the length scale is resolved by fewer than two cells; "
@@ -169,9 +183,10 @@ namespace MixedCracks
 
 
 
-  template void Simulation<2>::log_header();
-  template void Simulation<2>::collect_warnings();
-  template void Simulation<2>::preflight();
-  template void Simulation<2>::log_step(const StatisticsRow &);
-  template void Simulation<2>::log_end(const RunOutcome &, const Summary &);
+  template double Simulation<2>::cell_size_at_cracks() const;
+  template void   Simulation<2>::log_header();
+  template void   Simulation<2>::collect_warnings();
+  template void   Simulation<2>::preflight();
+  template void   Simulation<2>::log_step(const StatisticsRow &);
+  template void   Simulation<2>::log_end(const RunOutcome &, const Summary &);
 } // namespace MixedCracks
