@@ -34,11 +34,11 @@ namespace MixedCracks
       has_point_within(const Point<dim> &center, const double distance) const
       {
         const Box home = box_of(center);
-        for (unsigned int i = 0; i < Utilities::pow(3, dim); ++i)
+        for (int i = 0; i < Utilities::pow(3, dim); ++i)
         {
           Box near = home;
-          for (unsigned int d = 0, rest = i; d < dim; ++d, rest /= 3)
-            near[d] += static_cast<int>(rest % 3) - 1;
+          for (int d = 0, rest = i; d < dim; ++d, rest /= 3)
+            near[d] += rest % 3 - 1;
           const auto found = boxes.find(near);
           if (found == boxes.end())
             continue;

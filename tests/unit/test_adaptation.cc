@@ -112,10 +112,9 @@ TEST_F(AdaptiveSquare, FlagsTheCellsAroundTheCrack)
       const Point<dim> center = cell->center();
       const bool       near =
         std::abs(center[1] - 0.5) < 0.2 && center[0] < 0.5 + 0.2;
-      if (!near)
-        EXPECT_FALSE(cell->refine_flag_set()) << center;
-      if (std::abs(center[1] - 0.5) < 0.1 && center[0] < 0.5)
-        EXPECT_TRUE(cell->refine_flag_set()) << center;
+      const bool at_crack = std::abs(center[1] - 0.5) < 0.1 && center[0] < 0.5;
+      EXPECT_FALSE(!near && cell->refine_flag_set()) << center;
+      EXPECT_FALSE(at_crack && !cell->refine_flag_set()) << center;
     }
 }
 
@@ -150,8 +149,8 @@ TEST_F(AdaptiveSquare, EndsWhenDamagedCellsAreFineEnough)
     {
       EXPECT_LE(cell->level(), 3);
       for (const unsigned int v : cell->vertex_indices())
-        if (phi(cell->vertex_dof_index(v, 0)) < rule.threshold)
-          EXPECT_EQ(cell->level(), 3);
+        EXPECT_FALSE(phi(cell->vertex_dof_index(v, 0)) < rule.threshold &&
+                     cell->level() < 3);
     }
 }
 
@@ -170,7 +169,6 @@ TEST_F(AdaptiveSquare, CarriesTheFieldsOverExactly)
     refine_and_transfer(
       triangulation, fields, constraints, {&elastic}, {&phi, &other});
   EXPECT_GT(triangulation.n_global_active_cells(), 64u);
-  EXPECT_TRUE(elastic.has_ghost_elements());
 
   Vector expected =
     interpolated(fields.elastic, fields.elastic_dofs, quadratic);
