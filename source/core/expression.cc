@@ -254,9 +254,13 @@ namespace MixedCracks
     const double result = evaluate(values);
     if (!std::isfinite(result))
     {
+      // a number that is none has a sign, which would be printed
+      const char *const  found = std::isnan(result) ? "no number"
+                                 : result > 0.      ? "infinity"
+                                                    : "minus infinity";
       std::ostringstream message;
       message << parameter << ": the expression " << in_quotes(formula)
-              << " gives " << result << " at";
+              << " gives " << found << " at";
       for (std::size_t i = 0; i < variables.size(); ++i)
         message << (i == 0 ? " " : ", ") << variables[i] << " = " << values[i];
       message << "; it must be finite.";
