@@ -53,7 +53,7 @@ namespace MixedCracks
 
     Assembler(const Fields<dim> &fields, const Material<dim> &material);
 
-    /// To be called when the mesh changed: no matrix is known any more.
+    /// Before the first use, and when the mesh changed.
     void reinit();
 
     /// First two lines of (M5). The matrix and the phase field are computed

@@ -27,12 +27,6 @@ namespace MixedCracks
 
     CellDofs(const dealii::DoFHandler<dim> &handler, const DofSets &sets);
 
-    unsigned int
-    size() const
-    {
-      return dofs_per_cell;
-    }
-
     /// Values of the dofs of owned cell number @p cell.
     void read(unsigned int                 cell,
               const LinearAlgebra::Vector &ghosted,

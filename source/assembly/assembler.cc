@@ -46,9 +46,7 @@ namespace MixedCracks
     , local_phase_field(fields.phase_field.get_fe().n_dofs_per_cell())
     , elastic_indices(local_elastic.size())
     , phase_field_indices(local_phase_field.size())
-  {
-    reinit();
-  }
+  {}
 
 
 

@@ -44,6 +44,7 @@ namespace
       fields.distribute();
       constraints.reinit();
       assembler = std::make_unique<Assembler<dim>>(fields, material);
+      assembler->reinit();
       make_matrix(matrix);
       residual = fields.owned_vector(fields.elastic_dofs);
     }
@@ -181,7 +182,8 @@ TEST_F(RefinedSquare, CorrectedMatrixIsTheNewOne)
   for (const double x : {0.25, 0.4, 0.9})
   {
     assemble(*assembler, phase_field(x), matrix);
-    Assembler<dim>              fresh(fields, material);
+    Assembler<dim> fresh(fields, material);
+    fresh.reinit();
     LinearAlgebra::SparseMatrix expected;
     make_matrix(expected);
     assemble(fresh, phase_field(x), expected);
