@@ -1,2 +1,3 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""The parts of scripts/report.py: results, vtu, moments, curves, pictures, page."""
+"""The parts of scripts/report.py: results, vtu, crack_path,
+moments, curves, pictures, words, page; interpreter finds a Python for them."""

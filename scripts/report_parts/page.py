@@ -6,7 +6,7 @@ import html
 import os
 import re
 
-from . import curves, moments, pictures, vtu, words
+from . import crack_path, curves, moments, pictures, vtu, words
 from .results import Results
 
 PAGE = """<!DOCTYPE html>
@@ -82,7 +82,8 @@ def field_sections(results, force, remarks):
     collection = vtu.read_collection(results.directory)
     if not collection:
         return section("The crack", "<p class=\"note\">No fields have been written "
-                       "(fields.pvd names no file that exists).</p>")
+                       "(fields.pvd names no file that exists).</p>"
+                       + path_part(results, None, remarks))
     times = [time for time, _ in collection]
     figures, drawn = [], []
     for index, text in moments.chosen_moments(results, force, times):
@@ -100,13 +101,41 @@ def field_sections(results, force, remarks):
         drawn.append((time, text, fields))
     if not drawn:
         return section("The crack", "<p class=\"note\">None of the files of fields "
-                       "could be drawn.</p>")
+                       "could be drawn.</p>" + path_part(results, None, remarks))
     flat = pictures.is_flat(drawn[0][2])
     note = "Phase field φ on the undeformed body" \
         + ("." if flat else ", seen along z.")
-    return section("The crack", "<p class=\"note\">%s</p>%s%s"
-                   % (note, row(figures, pictures.window_of(drawn[0][2].points)), color_bar()), "long") \
+    window = pictures.window_of(drawn[0][2].points)
+    return section("The crack", "<p class=\"note\">%s</p>%s%s%s"
+                   % (note, row(figures, window), color_bar(),
+                      path_part(results, drawn[-1][2], remarks)), "long") \
         + body_section(results, force, drawn)
+
+
+def path_part(results, fields, remarks):
+    """The paths of the cracks: over the outline if there are fields, and as a
+    table."""
+    cracks = crack_path.cracks_at_end(results.directory, remarks)
+    if not cracks:
+        return "<p class=\"note\">%s</p>" % (
+            "No path is drawn: there is no crack_path.csv." if cracks is None else
+            "No path is drawn: crack_path.csv holds no crack.")
+    text = ""
+    if fields is not None:
+        picture = pictures.path_picture(fields, cracks)
+        text = row([(picture, "<b>Path</b>disc: start, square: end")],
+                   pictures.window_of(fields.points))
+    inside = "inside the body"  # an end without a name is a tip
+    rows = "".join(
+        "<tr><td><i style=\"background: %s\"></i>%d</td>%s</tr>"
+        % (pictures.path_color(i), crack.number,
+           "".join("<td>%s</td>" % escaped(value) for value in (
+               crack.start or inside, crack.end or inside, words.known(crack.length),
+               words.known(crack.angle))))
+        for i, crack in enumerate(cracks))
+    return "<div class=\"paths\">%s<table><tr>%s</tr>%s</table></div>" % (
+        text, "".join("<th>%s</th>" % name for name in (
+            "crack", "starts at", "ends at", "length (mm)", "kink angle (°)")), rows)
 
 
 def body_section(results, force, drawn):

@@ -15,6 +15,8 @@ COLORS = LinearSegmentedColormap.from_list(
     "phase field", ["#3b0f2b", "#8c2a3a", "#d9743f", "#f2c98a", "#f3efe6"])
 CSS_GRADIENT = "#3b0f2b, #8c2a3a, #d9743f, #f2c98a, #f3efe6"
 OUTLINE = "#52606c"
+# Of the paths of cracks, in their order; they stand out on white.
+PATH_COLORS = ("#b5403a", "#2f6690", "#4f8a5b", "#c08a2d", "#6d4c8f")
 # Cells that reach less, or are stretched more, are left out of the deformed
 # picture: they are the crack.
 BROKEN, TORN = 0.1, 8.
@@ -131,6 +133,26 @@ def phase_field_picture(fields):
           np.clip(fields.data["phase_field"], 0., 1.))
     if is_flat(fields):
         lines(axes, fields.points, outline_of(fields.points, fields.faces), 0.8)
+    return png_of(figure)
+
+
+def path_color(index):
+    return PATH_COLORS[index % len(PATH_COLORS)]
+
+
+def path_picture(fields, cracks):
+    """PNG of the outline with the paths of the cracks: a disc where one starts,
+    a square where it ends."""
+    figure, axes = canvas(window_of(fields.points))
+    if is_flat(fields):
+        lines(axes, fields.points, outline_of(fields.points, fields.faces), 0.8)
+    for index, crack in enumerate(cracks):
+        x, y = zip(*crack.points)
+        color = path_color(index)
+        axes.plot(x, y, "-", color=color, lw=2.2, solid_capstyle="round")
+        axes.plot(x[0], y[0], "o", color=color, ms=7, clip_on=False)
+        axes.plot(x[-1], y[-1], "s", mfc="white", mec=color, mew=1.8, ms=6.5,
+                  clip_on=False)
     return png_of(figure)
 
 

@@ -27,6 +27,10 @@ def number(value, unit="", digits=4):
     return text + ("\u00a0" + unit if unit else "")
 
 
+def known(value):
+    return "–" if value is None else number(value)
+
+
 def duration(seconds):
     try:
         seconds = float(seconds)
@@ -134,6 +138,11 @@ def key_figures(results, force):
     n_steps = summary.get("steps", results.n_steps)
     figures.append(("Outcome", short[0].upper() + short[1:],
                     "%s accepted steps" % number(n_steps)))
+    if summary.get("outcome"):
+        crack = str(summary["outcome"])
+        start = summary.get("outcome_start")
+        figures.append(("Crack", crack[0].upper() + crack[1:],
+                        "starts at: %s" % start if start else ""))
     dofs = last_known(results, "dofs")
     if dofs is not None:
         cells = last_known(results, "cells")
@@ -205,6 +214,7 @@ def run_table(results):
              ("time_at_peak_s", "Time at peak (s)"),
              ("remaining_force_fraction", "Remaining force / peak"),
              ("separated", "Separated"), ("outcome", "Outcome"),
+             ("outcome_start", "Crack starts at"),
              ("exit_reason", "Exit reason"), ("exit_status", "Exit status"),
              ("wall_time_s", "Wall time")]
     rows = []

@@ -64,6 +64,30 @@ def write_summary(directory, **changes):
     write(os.path.join(directory, "summary.json"), json.dumps(summary))
 
 
+PATH_COLUMNS = ("step,time_s,displacement_mm,crack,length_mm,kink_angle_deg,start,"
+                "end,tip_x_mm,tip_y_mm,point,x_mm,y_mm,arc_length_mm")
+
+
+def write_crack_path(directory, closed=True):
+    """At step 10 one short crack; at step 11 it has run through, and another
+    one has grown from within, whose kink angle is none."""
+    rows = [PATH_COLUMNS]
+
+    def crack(step, number, angle, start, end, points):
+        length = points[-1][0] - points[0][0]
+        for k, (x, y) in enumerate(points):
+            rows.append("%d,%g,%g,%d,%g,%s,%s,%s,%g,%g,%d,%g,%g,%g" % (
+                (step, 0.6 * step, 2. * step, number, length, angle, start, end)
+                + points[-1] + (k, x, y, x - points[0][0])))
+
+    crack(10, 0, "12.5", "notch", "", [(0., 1.), (0.375, 1.)])
+    crack(11, 0, "12.5", "notch", "right", [(0., 1.), (1., 1.), (2., 1.)])
+    crack(11, 1, "nan", "interior", "top", [(0.5, 1.5), (0.75, 2.)])
+    if closed:
+        rows.append("# outcome: separated, from the notch")
+    write(os.path.join(directory, "crack_path.csv"), "\n".join(rows) + "\n")
+
+
 def encoded(code, values, compressed):
     raw = struct.pack("<%d%s" % (len(values), code), *values)
     if not compressed:
@@ -127,3 +151,4 @@ def write_run(directory, coupling="iterated"):
     write_summary(directory)
     write(os.path.join(directory, "parameters.prm"), PARAMETERS % coupling)
     write_fields(directory)
+    write_crack_path(directory)

@@ -78,8 +78,8 @@ class Report(unittest.TestCase):
         for moment in ("Before the crack grows", "At the peak", "After separation"):
             self.assertIn("<b>%s</b>" % moment, text)
         self.assertEqual(text.count("<svg"), 3)
-        # three of the phase field, the mesh, two deformed
-        self.assertEqual(text.count("data:image/png"), 6)
+        # three of the phase field, the path, the mesh, two deformed
+        self.assertEqual(text.count("data:image/png"), 7)
         self.assertIn("imbalance", text)
         self.assertIn("Finished, separated", text)
 
@@ -87,7 +87,66 @@ class Report(unittest.TestCase):
         synthetic_run.write_run(self.directory)
         shutil.rmtree(self.path("fields"))
         synthetic_run.write_fields(self.directory, compressed=False)
-        self.assertEqual(self.page().count("data:image/png"), 6)
+        self.assertEqual(self.page().count("data:image/png"), 7)
+
+    def test_crack_path(self):
+        synthetic_run.write_run(self.directory)
+        synthetic_run.write_summary(self.directory, outcome="past the hole",
+                                    outcome_start="the notch")
+        text = self.page()
+        self.assertIn("<dt>Crack</dt><dd>Past the hole"
+                      "<small>starts at: the notch</small>", text)
+        self.assertIn("</i>0</td><td>notch</td><td>right</td><td>2</td>"
+                      "<td>12.5</td></tr>", text)
+        # no kink angle is not a number
+        self.assertIn("</i>1</td><td>interior</td><td>top</td><td>0.25</td>"
+                      "<td>–</td></tr>", text)
+        self.assertNotIn("inside the body", text)
+        self.assertNotIn("crack_path.csv", text)
+
+    def test_no_outcome(self):
+        synthetic_run.write_run(self.directory)
+        synthetic_run.write_summary(self.directory, outcome=None)
+        self.assertNotIn("<dt>Crack</dt>", self.page())
+
+    def test_no_crack_path(self):
+        synthetic_run.write_run(self.directory)
+        os.remove(self.path("crack_path.csv"))
+        text = self.page()
+        self.assertIn("there is no crack_path.csv", text)
+        self.assertEqual(text.count("data:image/png"), 6)
+
+    def test_crack_path_without_fields(self):
+        synthetic_run.write_statistics(self.directory)
+        synthetic_run.write_crack_path(self.directory)
+        self.assertIn("<td>notch</td><td>right</td>", self.page())
+
+    def test_half_written_crack_path(self):
+        synthetic_run.write_run(self.directory)
+        synthetic_run.write_crack_path(self.directory, closed=False)
+        self.assertIn("The crack path is that of step 11.", self.page())
+        with open(self.path("crack_path.csv")) as stream:
+            whole = stream.read()
+        # cut in the last step: the one before it is the last whole one
+        synthetic_run.write(self.path("crack_path.csv"), whole[:-5])
+        text = self.page()
+        self.assertIn("The crack path is that of step 10.", text)
+        self.assertIn("<td>notch</td><td>inside the body</td>", text)
+        self.assertNotIn("<td>notch</td><td>right</td>", text)
+        for length in (0, 30, len(synthetic_run.PATH_COLUMNS) + 1):
+            synthetic_run.write(self.path("crack_path.csv"), whole[:length])
+            text = self.page()
+            self.assertIn("<li>crack_path.csv", text)
+            self.assertIn("holds no crack", text)
+
+    def test_damaged_crack_path(self):
+        synthetic_run.write_run(self.directory)
+        with open(self.path("crack_path.csv")) as stream:
+            lines = stream.read().splitlines()
+        lines[3] = "x" + lines[3]
+        lines[4] = lines[4].rpartition(",")[0]
+        synthetic_run.write(self.path("crack_path.csv"), "\n".join(lines) + "\n")
+        self.assertIn("2 lines of crack_path.csv could not be read", self.page())
 
     def test_same_input_same_page(self):
         synthetic_run.write_run(self.directory)

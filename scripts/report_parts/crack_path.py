@@ -1,0 +1,79 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""The paths of the cracks as crack_path.csv has them at the last step."""
+import csv
+import math
+import os
+
+NEEDED = ("step", "crack", "x_mm", "y_mm")
+
+
+class Crack:
+    """points [(x, y)] in order, from where the crack starts to where it ends."""
+
+    def __init__(self, number, row):
+        self.number = number
+        self.start = (row.get("start") or "").strip()
+        self.end = (row.get("end") or "").strip()
+        self.length = as_number(row.get("length_mm"))
+        self.angle = as_number(row.get("kink_angle_deg"))
+        self.points = []
+
+
+def as_number(text):
+    """A finite number, or None."""
+    try:
+        value = float(text)
+    except (TypeError, ValueError):
+        return None
+    return value if math.isfinite(value) else None
+
+
+def cracks_at_end(directory, remarks):
+    """The Cracks at the last step of the file; None when there is no file.
+    A step that was being written when the run was killed is left out when
+    there is one before it."""
+    path = os.path.join(directory, "crack_path.csv")
+    try:
+        with open(path, encoding="utf-8", errors="replace", newline="") as stream:
+            text = stream.read()
+    except OSError:
+        return None
+    lines = [line for line in text.splitlines() if line.strip()]
+    closed = bool(lines) and lines[-1].startswith("#")
+    cut = bool(lines) and not closed and not text.endswith("\n")
+    if cut:
+        lines.pop()
+    lines = [line for line in lines if not line.startswith("#")]
+    rows = list(csv.reader(lines))
+    names = [name.strip() for name in rows[0]] if rows else []
+    if any(name not in names for name in NEEDED):
+        remarks.append("crack_path.csv cannot be read: it has no header with the "
+                       "columns %s." % ", ".join(NEEDED))
+        return []
+    steps, n_bad = {}, 0
+    for values in rows[1:]:
+        row = dict(zip(names, values))
+        numbers = [as_number(row.get(name)) for name in NEEDED]
+        if len(values) != len(names) or None in numbers:
+            n_bad += 1
+            continue
+        steps.setdefault(int(numbers[0]), []).append((int(numbers[1]), row))
+    if n_bad:
+        remarks.append("%d line%s of crack_path.csv could not be read."
+                       % (n_bad, "" if n_bad == 1 else "s"))
+    if cut and len(steps) > 1:
+        del steps[max(steps)]
+    if not closed:
+        remarks.append(
+            "crack_path.csv is incomplete: the run is still going on, or it was "
+            "killed. " + ("The crack path is that of step %d." % max(steps) if steps
+                          else "It holds no step yet."))
+    return cracks_of(steps[max(steps)]) if steps else []
+
+
+def cracks_of(rows):
+    cracks = {}
+    for number, row in rows:
+        crack = cracks.setdefault(number, Crack(number, row))
+        crack.points.append((float(row["x_mm"]), float(row["y_mm"])))
+    return [cracks[number] for number in sorted(cracks)]
