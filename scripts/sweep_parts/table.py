@@ -1,0 +1,147 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""One row per run of a sweep, from its summary.json and statistics.csv.
+Python's own library only: a cluster may have no numpy."""
+import csv
+import json
+import math
+import os
+
+COLUMNS = ("name", "exit_status", "separated", "outcome", "start", "peak_force_N",
+           "displacement_at_peak_mm", "end_displacement_mm",
+           "remaining_force_fraction", "steps", "rejected_steps", "refinements",
+           "coupling_iterations", "factorizations", "dofs", "proportional_steps",
+           "wall_time_s")
+SOFTENING = 0.02  # fall of force / displacement that ends proportionality
+COMMAND_FILE = "sweep_command.txt"
+
+
+def summary_of(directory):
+    """summary.json; empty when it is missing or damaged."""
+    try:
+        with open(os.path.join(directory, "summary.json"), encoding="utf-8") as stream:
+            summary = json.load(stream)
+        return summary if isinstance(summary, dict) else {}
+    except (OSError, ValueError):
+        return {}
+
+
+def statistics_of(directory):
+    """[{column: number}] of the rows that are whole."""
+    try:
+        with open(os.path.join(directory, "statistics.csv"), encoding="utf-8",
+                  errors="replace", newline="") as stream:
+            text = stream.read()
+    except OSError:
+        return []
+    lines = text.splitlines()
+    if not text.endswith("\n"):
+        lines = lines[:-1]
+    rows = list(csv.reader(line for line in lines if not line.startswith("#")))
+    found = []
+    for row in rows[1:]:
+        try:
+            if len(row) == len(rows[0]):
+                found.append({name.strip(): float(value)
+                              for name, value in zip(rows[0], row)})
+        except ValueError:
+            continue
+    return found
+
+
+def record_of(directory):
+    """{"options", "base", "exit status"} as sweep.py noted them at a run."""
+    record = {}
+    try:
+        with open(os.path.join(directory, COMMAND_FILE), encoding="utf-8") as stream:
+            for line in stream:
+                if line.startswith("# ") and ": " in line:
+                    key, _, value = line[2:].rstrip("\n").partition(": ")
+                    record[key] = value
+    except OSError:
+        pass
+    return record
+
+
+def force_column(rows):
+    """The component along the load: the largest one."""
+    names = [name for name in ("force_x_N", "force_y_N", "force_z_N")
+             if name in rows[0]]
+    return max(names, key=lambda name: max(abs(row[name]) for row in rows),
+               default=None)
+
+
+def proportional_steps(rows):
+    """Accepted load steps before the first one whose force / displacement is
+    more than 2 % below that of the first load step; None without any."""
+    rows = [row for row in rows if row.get("step", 0) >= 1
+            and row.get("displacement_mm")]
+    if not rows:
+        return None
+    force = force_column(rows)
+    if force is None:
+        return None
+    stiffness = [abs(row[force]) / abs(row["displacement_mm"]) for row in rows]
+    for count, value in enumerate(stiffness):
+        if not value >= (1. - SOFTENING) * stiffness[0]:
+            return count
+    return len(rows)
+
+
+def exit_status_of(directory, summary):
+    """Of the last run in the directory; None when nothing tells it. What the
+    launcher said counts, unless the run has been repeated by hand since."""
+    recorded = record_of(directory).get("exit status", "")
+    try:
+        newer = os.path.getmtime(os.path.join(directory, "summary.json")) \
+            > os.path.getmtime(os.path.join(directory, COMMAND_FILE))
+    except OSError:
+        newer = False
+    if recorded.lstrip("-").isdigit() and not newer:
+        return int(recorded)
+    return summary.get("exit_status")
+
+
+def row_of(name, directory):
+    """{column: value}; None for what is not known."""
+    summary, rows = summary_of(directory), statistics_of(directory)
+    last = rows[-1] if rows else {}
+
+    def total(column):
+        values = [row[column] for row in rows if column in row]
+        return summary.get(column, sum(values) if values else None)
+
+    row = {column: summary.get(column) for column in COLUMNS}
+    row.update(name=name, exit_status=exit_status_of(directory, summary),
+               start=summary.get("outcome_start"),
+               steps=summary.get("steps", last.get("step")),
+               rejected_steps=total("rejected_steps"),
+               coupling_iterations=total("coupling_iterations"),
+               factorizations=total("factorizations"),
+               refinements=last.get("refinements"),
+               dofs=last.get("dofs", summary.get("dofs")),
+               end_displacement_mm=summary.get("end_displacement_mm",
+                                               last.get("displacement_mm")),
+               proportional_steps=proportional_steps(rows),
+               wall_time_s=summary.get("wall_time_s", last.get("wall_time_s")))
+    return row
+
+
+def as_text(value):
+    if value is None or (isinstance(value, float) and math.isnan(value)):
+        return ""
+    if isinstance(value, bool):
+        return "true" if value else "false"
+    if isinstance(value, float):
+        return "%.10g" % value
+    return str(value)
+
+
+def write_table(path, rows):
+    """The table; the old one stays until the new one is whole."""
+    new = "%s.%d" % (path, os.getpid())
+    with open(new, "w", encoding="utf-8", newline="") as stream:
+        writer = csv.writer(stream, lineterminator="\n")
+        writer.writerow(COLUMNS)
+        for row in rows:
+            writer.writerow([as_text(row[column]) for column in COLUMNS])
+    os.replace(new, path)
