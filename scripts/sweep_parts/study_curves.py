@@ -1,0 +1,111 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""Force-displacement curves of all runs of a sweep in one figure."""
+import os
+
+import matplotlib
+import numpy as np
+from matplotlib.colors import to_rgb
+from matplotlib.figure import Figure
+
+from report_parts import curves
+
+from . import studies
+
+# Told apart by hue and, where that fails, by lightness.
+HUES = ("#2f6690", "#b5403a", "#4f8a5b", "#c08a2d", "#6d4c8f", "#3a8f93",
+        "#8a5a3c", "#5c6670")
+DASHES = ("-", (0, (5, 1.5)), (0, (1.5, 1.2)), (0, (6, 1.5, 1.5, 1.5)))
+
+
+def shade(color, share):
+    """Lighter for a share below 1, as it is for 1."""
+    rgb = np.array(to_rgb(color))
+    return tuple(1. - (1. - rgb) * (0.4 + 0.6 * share))
+
+
+def styles_of(runs):
+    """{name: (color, dashes)}: a hue per group, within it from light to full,
+    in the order of the sweep. A hue per run where grouping tells nothing."""
+    groups = {}
+    for run in runs:
+        groups.setdefault(run.group, []).append(run.name)
+    if len(groups) in (1, len(runs)):
+        groups = {run.name: [run.name] for run in runs}
+    styles = {}
+    for i, names in enumerate(groups.values()):
+        for k, name in enumerate(names):
+            share = (k + 1.) / len(names)
+            # from the ninth group on hues repeat: another dash tells
+            dash = DASHES[(i // len(HUES) + len(names) - 1 - k) % len(DASHES)]
+            styles[name] = shade(HUES[i % len(HUES)], share), dash
+    return styles
+
+
+def reference_curves(paths, runs, per_thickness):
+    """[(label, displacements, forces, name of the run it belongs to)]."""
+    found = []
+    thickness = {run.name: run.thickness for run in runs}
+    for path in paths:
+        groups = {}
+        for name, x, y, unit in studies.read_reference(path, False):
+            if (unit == "force_N_per_mm") != per_thickness:
+                t = thickness.get(name, next(iter(thickness.values())))
+                if t is None:
+                    raise studies.StudyError(
+                        "%s: no run tells its thickness, which its forces need" % path)
+                y = y / t if per_thickness else y * t
+            groups.setdefault(name, []).append((x, y))
+        stem = os.path.splitext(os.path.basename(path))[0]
+        for name, points in groups.items():
+            found.append(((stem + " " + name).strip(),) + tuple(np.array(points).T)
+                         + (name,))
+    return found
+
+
+def draw(runs, title, per_thickness, references):
+    """The figure."""
+    drawn = [run for run in runs if run.has_curve]
+    if not drawn:
+        raise studies.StudyError("no run has a force and a displacement yet")
+    if per_thickness and any(run.thickness is None for run in drawn):
+        raise studies.StudyError(
+            "--per-thickness: '%s' tells no thickness, neither in summary.json nor "
+            "in parameters.prm" % next(r.name for r in drawn if r.thickness is None))
+    references = reference_curves(references, drawn, per_thickness)
+    styles = styles_of(drawn)
+    n_entries = len(drawn) + len(references)
+    with matplotlib.rc_context(curves.STYLE):
+        figure = Figure(figsize=(9.6, max(5., 0.21 * n_entries + 1.)))
+        figure.set_facecolor("white")
+        axes = figure.add_subplot()
+        for run in drawn:
+            color, dash = styles[run.name]
+            scale = 1. / run.thickness if per_thickness else 1.
+            x, y = run.results.column("displacement_mm"), scale * run.force.values
+            axes.plot(x, y, ls=dash, color=color, lw=1.5, label=run.name)
+            axes.plot(x[run.force.peak], y[run.force.peak], "o", color=color, ms=4)
+        for label, x, y, name in references:
+            color = styles[name][0] if name in styles else curves.INK
+            if len(x) > 2:
+                axes.plot(x, y, ls=(0, (1, 1.5)), color=color, lw=2.2, label=label)
+            else:
+                axes.plot(x, y, "x", color=color, ms=8, mew=2., label=label)
+        axes.axhline(0., color=curves.GREY, lw=0.7)
+        axes.set_xlim(left=min(0., axes.dataLim.x0))
+        axes.set_ylim(bottom=min(0., axes.dataLim.y0))
+        axes.set_xlabel("Displacement (mm)")
+        axes.set_ylabel("Force per thickness (N/mm)" if per_thickness
+                        else "Force (N)")
+        if title:
+            axes.set_title(title, loc="left", fontsize=11.5)
+        axes.legend(loc="upper left", bbox_to_anchor=(1.01, 1.), fontsize=8.8,
+                    handlelength=2.6, borderaxespad=0.)
+        return figure
+
+
+def write(runs, path, title, per_thickness, references):
+    figure = draw(runs, title, per_thickness, references)
+    options = {"metadata": {"Date": None}} if path.endswith(".svg") else {"dpi": 130}
+    settings = {"svg.hashsalt": "curves", "svg.fonttype": "none"}
+    with matplotlib.rc_context(dict(curves.STYLE, **settings)):
+        figure.savefig(path, bbox_inches="tight", facecolor="white", **options)
