@@ -1,0 +1,313 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""scripts/sweep.py with a program that is none, and scripts/study.py on made-up
+runs."""
+import csv
+import glob
+import os
+import shlex
+import shutil
+import signal
+import subprocess
+import sys
+import tempfile
+import time
+import unittest
+
+HERE = os.path.dirname(os.path.abspath(__file__))
+ROOT = os.path.join(HERE, os.pardir, os.pardir)
+sys.path.insert(0, os.path.join(HERE, os.pardir, "report"))
+import synthetic_run  # noqa: E402
+
+PROGRAM = os.path.join(HERE, "fake_program.py")
+SWEEP = os.path.join(ROOT, "scripts", "sweep.py")
+STUDY = os.path.join(ROOT, "scripts", "study.py")
+FILE = """# two materials
+base   = base.prm
+common = --set "Mesh/Adaptive levels=1" --set Model/Name=a
+
+first_1 = --set "Material/Lame lambda=10"
+first_2 = --set 'Mesh/Adaptive levels=2'
+plain   =
+"""
+
+
+def called(script, *arguments, **options):
+    return subprocess.run([sys.executable, "-B", script] + list(arguments),
+                          stdout=subprocess.PIPE, stderr=subprocess.PIPE,
+                          universal_newlines=True, **options)
+
+
+class Case(unittest.TestCase):
+    def setUp(self):
+        # a blank in the name, as users have it
+        self.directory = os.path.join(tempfile.mkdtemp(), "my sweeps")
+        os.mkdir(self.directory)
+        self.addCleanup(shutil.rmtree, os.path.dirname(self.directory))
+        self.output = self.path("out")
+        synthetic_run.write(self.path("base.prm"), "# nothing\n")
+
+    def path(self, *names):
+        return os.path.join(self.directory, *names)
+
+    def text(self, *names):
+        with open(self.path(*names), encoding="utf-8") as stream:
+            return stream.read()
+
+    def sweep(self, text, *arguments, status=0):
+        synthetic_run.write(self.path("a.sweep"), text)
+        own = [self.path("a.sweep"), "--output", self.output, "--program", PROGRAM,
+               "--mpirun", ""]
+        process = called(SWEEP, *(own + list(arguments)))
+        self.assertNotIn("Traceback", process.stderr)
+        self.assertEqual(process.returncode, status, process.stderr)
+        return process
+
+    def started(self):
+        """Names of the runs that have been started, in any order."""
+        try:
+            return sorted(self.text("out", "started.txt").split())
+        except OSError:
+            return []
+
+    def table(self):
+        with open(self.path("out", "sweep.csv"), newline="") as stream:
+            return {row["name"]: row for row in csv.DictReader(stream)}
+
+
+class Files(Case):
+    def refused(self, text, *words, arguments=()):
+        process = self.sweep(text, *arguments, status=2)
+        self.assertEqual(process.stderr.count("\n"), 1, process.stderr)
+        for word in words:
+            self.assertIn(word, process.stderr)
+        self.assertEqual(self.started(), [])
+
+    def test_what_is_wrong_is_named_with_its_line(self):
+        for line, word in (("x = --set \"A/B=1", "quotation"),
+                           ("x --set A/B=1", "expected 'base = FILE'"),
+                           ("x y = --set A/B=1", "expected 'base = FILE'"),
+                           ("../x = --set A/B=1", "expected 'base = FILE'"),
+                           ("x = --output there", "only --set"),
+                           ("x = --set A/B = 1", "--set expects"),
+                           ("x = --set A/B=1 2", "only --set"),
+                           ("x = --set", "--set expects"),
+                           ("x = --set =1", "--set expects"),
+                           ("x = --set A/B=1 --set 'A/B =2'", "'A/B' is set twice"),
+                           ("first_1 =", "the first is in line 5"),
+                           ("base = base.prm", "the first is in line 2"),
+                           ("common = --set Model/Name=b", "'Model/Name' is set twice"),
+                           ("names = base.prm", "only --set")):
+            with self.subTest(line=line):
+                self.refused(FILE + line + "\n", "a.sweep:8:", word)
+
+    def test_base_and_runs_are_needed(self):
+        self.refused("base = nowhere.prm\nx =\n", "a.sweep:1:", "no base file",
+                     "nowhere.prm")
+        self.refused("base = a b\nx =\n", "a.sweep:1:", "one file")
+        self.refused("x =\n", "a.sweep:", "no line 'base")
+        self.refused("base = base.prm\n", "a.sweep:", "there is no run")
+        self.assertIn("cannot be read", called(SWEEP, self.path("none")).stderr)
+
+    def test_command_line(self):
+        self.refused(FILE, "no run 'second*'", arguments=("--only", "second*"))
+        self.refused(FILE, "may stand after --", arguments=("--", "--check"))
+        self.refused(FILE, "cannot be run", arguments=("--program", "/nowhere/x"))
+        self.assertIn("at least 1", self.sweep(FILE, "--jobs", "0", status=2).stderr)
+
+    def test_list(self):
+        process = self.sweep(FILE, "--list", "--mpirun", "srun", "--ranks", "3",
+                             "--", "--set", "Model/Name=b")
+        lines = [shlex.split(line) for line in process.stdout.splitlines()]
+        self.assertEqual(lines[1], [
+            "srun", "-n", "3", os.path.abspath(PROGRAM), "--overwrite", "--output",
+            self.path("out", "first_2"), "--set", "Mesh/Adaptive levels=2", "--set",
+            "Model/Name=b", self.path("base.prm")])
+        self.assertEqual(len(lines), 3)
+        self.assertEqual(self.started(), [])
+        self.assertFalse(os.path.exists(self.output))
+
+    def test_those_of_the_project(self):
+        found = glob.glob(os.path.join(ROOT, "parameters", "**", "*.sweep"),
+                          recursive=True)
+        self.assertGreaterEqual(len(found), 2)
+        for path in found:
+            process = called(SWEEP, path, "--list", "--program", PROGRAM)
+            self.assertEqual(process.returncode, 0, process.stderr)
+            lines = process.stdout.splitlines()
+            self.assertEqual(len(lines), len(set(lines)))
+            self.assertGreaterEqual(len(lines), 10)
+
+
+class Runs(Case):
+    def test_table(self):
+        process = self.sweep(FILE, "--jobs", "2")
+        self.assertIn("[3/3]", process.stdout)
+        table = self.table()
+        self.assertEqual(list(table), ["first_1", "first_2", "plain"])
+        wanted = dict(exit_status="0", separated="true", outcome="past the hole",
+                      start="notch", peak_force_N="160", displacement_at_peak_mm="20",
+                      end_displacement_mm="22", remaining_force_fraction="0.0625",
+                      steps="12", rejected_steps="4", refinements="",
+                      coupling_iterations="36", factorizations="", dofs="50",
+                      proportional_steps="10", wall_time_s="17", name="plain")
+        self.assertEqual(dict(table["plain"]), wanted)
+        # of several settings the last one holds
+        self.assertEqual(self.text("out", "first_2", "settings.txt"),
+                         "--overwrite=\nMesh/Adaptive levels=2\nModel/Name=a\n")
+        self.assertIn("Lame lambda=10", self.text("out", "first_1",
+                                                  "sweep_command.txt"))
+        self.assertIn("a line of the log", self.text("out", "plain", "screen.txt"))
+
+    def test_complete_runs_are_not_repeated(self):
+        self.sweep(FILE)
+        self.assertEqual(self.started(), ["first_1", "first_2", "plain"])
+        process = self.sweep(FILE, "--ranks", "2")
+        self.assertIn("3 of 3 runs are complete", process.stdout)
+        self.assertEqual(len(self.started()), 3)
+        # with another option it is another run
+        self.sweep(FILE.replace("lambda=10", "lambda=11"))
+        self.assertEqual(self.started(), ["first_1", "first_1", "first_2", "plain"])
+        self.sweep(FILE.replace("lambda=10", "lambda=11"), "--again", "--only", "pl*")
+        self.assertEqual(self.started().count("plain"), 2)
+        self.assertEqual(len(self.started()), 5)
+        # as with another base file
+        synthetic_run.write(self.path("base.prm"), "# something\n")
+        self.sweep(FILE, "--only", "plain")
+        self.assertEqual(self.started().count("plain"), 3)
+        # and one without its summary has not been completed
+        os.remove(self.path("out", "plain", "summary.json"))
+        self.sweep(FILE, "--only", "plain")
+        self.assertEqual(self.started().count("plain"), 4)
+
+    def test_failing_runs_do_not_stop_the_others(self):
+        text = FILE + "bad = --set Model/Fail=3\nworse = --set Model/Fail=9\n" \
+            "last =\n"
+        process = self.sweep(text, status=1)
+        self.assertIn("bad: exit status 3", process.stdout)
+        self.assertIn("the smallest step is reached", process.stdout)
+        self.assertIn("no memory is left", process.stdout)
+        self.assertIn("failed: bad, worse", process.stderr)
+        table = self.table()
+        self.assertEqual([table[name]["exit_status"] for name in
+                          ("plain", "bad", "worse", "last")], ["0", "3", "9", "0"])
+        self.assertEqual(table["bad"]["outcome"], "separated")
+        self.assertEqual(table["bad"]["start"], "")
+        self.assertEqual(table["worse"]["peak_force_N"], "")
+        self.assertEqual(table["worse"]["proportional_steps"], "10")
+        self.sweep(text, status=1)  # they are tried again, nothing else is
+        self.assertEqual(self.started(), ["bad", "bad", "first_1", "first_2", "last",
+                                          "plain", "worse", "worse"])
+
+    def test_only_and_table_only(self):
+        self.sweep(FILE, "--only", "plain")
+        self.assertEqual(self.table()["first_1"]["exit_status"], "")
+        os.remove(self.path("out", "sweep.csv"))
+        process = self.sweep(FILE.replace("Name=a", "Name=b"), "--table-only")
+        self.assertIn("plain: was run with other options", process.stderr)
+        self.assertEqual(self.table()["plain"]["exit_status"], "0")
+        self.assertEqual(self.started(), ["plain"])
+
+    def test_runs_that_were_started_by_hand(self):
+        commands = self.sweep(FILE, "--list").stdout.splitlines()
+        subprocess.check_call(shlex.split(commands[2]), stdout=subprocess.DEVNULL)
+        self.sweep(FILE, "--table-only")
+        self.assertEqual(self.table()["plain"]["exit_status"], "0")
+
+    def test_stopped(self):
+        synthetic_run.write(self.path("a.sweep"), "base = base.prm\n"
+                            "a = --set Model/Wait=1\nb = --set Model/Wait=1\n")
+        process = subprocess.Popen(
+            [sys.executable, "-B", SWEEP, self.path("a.sweep"), "--output",
+             self.output, "--program", PROGRAM, "--mpirun", ""],
+            stdout=subprocess.PIPE, stderr=subprocess.PIPE, universal_newlines=True)
+        deadline = time.time() + 60.
+        while not self.started() and time.time() < deadline:
+            time.sleep(0.1)
+        process.send_signal(signal.SIGTERM)
+        output, _ = process.communicate(timeout=60.)
+        self.assertEqual(process.returncode, 1)
+        self.assertIn("1 runs were not started", output)
+        self.assertEqual(self.started(), ["a"])
+        self.assertEqual(self.table()["a"]["exit_status"], "-15")
+
+
+class Studies(Case):
+    def setUp(self):
+        super().setUp()
+        for name in ("soft_1", "soft_2", "hard_1"):
+            os.makedirs(self.path("out", name))
+            synthetic_run.write_run(self.path("out", name))
+        synthetic_run.write_summary(self.path("out", "soft_2"), thickness_mm=2.,
+                                    displacement_at_peak_mm=20.)
+        os.remove(self.path("out", "hard_1", "crack_path.csv"))
+
+    def study(self, kind, *arguments, status=0):
+        process = called(STUDY, kind, self.output, *arguments)
+        if "no Python with matplotlib" in process.stderr:
+            self.skipTest("no Python with matplotlib on this machine")
+        self.assertNotIn("Traceback", process.stderr)
+        self.assertNotIn("Warning", process.stderr)
+        self.assertEqual(process.returncode, status, process.stderr)
+        return process
+
+    def test_curves(self):
+        synthetic_run.write(self.path("measured.csv"),
+                            "# from a drawing\ndisplacement_mm,force_N_per_mm\n"
+                            "0,0\n10,50\n20,81\n")
+        self.study("curves", "--output", self.path("c.svg"), "--title", "A & B",
+                   "--reference", self.path("measured.csv"), "--only", "soft_2")
+        text = self.text("c.svg")
+        for word in ("soft_2", "measured", "A &amp; B", "Force (N)"):
+            self.assertIn(">%s<" % word, text)
+        self.assertNotIn("soft_1", text)
+        process = self.study("curves", "--output", self.path("c.png"),
+                             "--per-thickness", status=2)
+        self.assertIn("tells no thickness", process.stderr)
+        self.study("curves", "--output", self.path("c.png"))
+        with open(self.path("c.png"), "rb") as stream:
+            self.assertEqual(stream.read(4), b"\x89PNG")
+
+    def test_cracks(self):
+        shutil.rmtree(self.path("out", "soft_1", "fields"))
+        self.study("cracks", "--output", self.path("k.png"), "--columns", "2")
+        with open(self.path("k.png"), "rb") as stream:
+            with_path = stream.read()
+        self.assertEqual(with_path[:4], b"\x89PNG")
+        self.assertLess(len(with_path), 50000)
+        os.remove(self.path("out", "soft_2", "crack_path.csv"))
+        self.study("cracks", "--output", self.path("k.png"), "--columns", "2")
+        with open(self.path("k.png"), "rb") as stream:
+            self.assertNotEqual(stream.read(), with_path)
+        self.study("cracks", "--output", self.path("k.svg"), status=2)
+
+    def test_compare(self):
+        synthetic_run.write(self.path("r.csv"), "# peaks\n"
+                            "name,displacement_mm,force_N_per_mm\n"
+                            "soft_2,25,64\nelse,1,2\n")
+        self.study("compare", self.path("r.csv"), "--output", self.path("t.md"))
+        lines = self.text("t.md").splitlines()
+        # 160 N over 2 mm
+        self.assertIn("| soft_2 | 20 | 25 | -20.0 % | 80 | 64 | +25.0 % |", lines)
+        self.assertIn("| hard_1 | 20 | – | – | – | – | – |", lines)
+        self.assertIn("- In the reference only: else.", lines)
+        for text, word in (("name,force_N_per_mm\n", "expected a header"),
+                           ("name,displacement_mm,force_N_per_mm\na,1\n", "r.csv:2:"),
+                           ("name,displacement_mm,force_N_per_mm\na,1,x\n", "r.csv:2:"),
+                           ("name,displacement_mm,force_N_per_mm\na,1,2\na,1,2\n",
+                            "given twice"), ("", "expected a header")):
+            synthetic_run.write(self.path("r.csv"), text)
+            process = self.study("compare", self.path("r.csv"), status=2)
+            self.assertIn(word, process.stderr)
+
+    def test_nothing_to_draw(self):
+        shutil.rmtree(self.output)
+        self.assertIn("there is no directory", self.study(
+            "curves", "--output", self.path("c.svg"), status=2).stderr)
+        os.mkdir(self.output)
+        self.assertIn("holds no run", self.study(
+            "curves", "--output", self.path("c.svg"), status=2).stderr)
+
+
+if __name__ == "__main__":
+    unittest.main()
