@@ -123,8 +123,11 @@ def path_part(results, fields, remarks):
     text = ""
     if fields is not None:
         picture = pictures.path_picture(fields, cracks)
-        text = row([(picture, "<b>Path</b>disc: start, square: end")],
-                   pictures.window_of(fields.points))
+        low, high = pictures.window_of(fields.points)
+        wide = (high - low)[0] > 1.2 * (high - low)[1]
+        text = "<div style=\"flex: 0 0 %s\">%s</div>" % (
+            "45%" if wide else "24%",
+            figures_of([(picture, "<b>Path</b>disc: start, square: end", "100%")]))
     inside = "inside the body"  # an end without a name is a tip
     rows = "".join(
         "<tr><td><i style=\"background: %s\"></i>%d</td>%s</tr>"
