@@ -145,8 +145,11 @@ def run_those_left(runs, arguments):
     def done(run, seconds):
         nonlocal n_done
         n_done += 1
+        status = table.exit_status_of(run.directory,
+                                      table.summary_of(run.directory))
+        status = run.status if status is None else status
         print("[%d/%d] %s: exit status %d after %.0f s%s"
-              % (n_done, len(left), run.name, run.status, seconds,
+              % (n_done, len(left), run.name, status, seconds,
                  "" if run.status == 0 else "; " + runner.last_words(run)), flush=True)
 
     workers.all(left, done)

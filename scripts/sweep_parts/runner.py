@@ -132,7 +132,8 @@ class Runner:
 
 
 def last_words(run):
-    """The last line a run wrote on its screen: usually why it failed."""
+    """Why a run failed: its error message, the reason in its summary, or what it
+    wrote last."""
     try:
         with open(os.path.join(run.directory, "screen.txt"), encoding="utf-8",
                   errors="replace") as stream:
@@ -140,4 +141,5 @@ def last_words(run):
     except OSError:
         return ""
     errors = [line for line in lines if "error:" in line]
-    return (errors or lines or [""])[-1]
+    reason = table.summary_of(run.directory).get("exit_reason")
+    return errors[-1] if errors else str(reason) if reason else (lines or [""])[-1]

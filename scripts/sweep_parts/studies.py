@@ -51,7 +51,8 @@ class StudyRun:
     @property
     def outcome(self):
         """In words: from the summary, otherwise how far the run has come."""
-        words = [str(self.summary[key]) for key in ("outcome", "outcome_start")
+        words = [text + str(self.summary[key]) for key, text in
+                 (("outcome", ""), ("outcome_start", "start: "))
                  if self.summary.get(key)]
         if not self.summary:
             words = ["unfinished"]

@@ -88,17 +88,19 @@ def proportional_steps(rows):
 
 
 def exit_status_of(directory, summary):
-    """Of the last run in the directory; None when nothing tells it. What the
-    launcher said counts, unless the run has been repeated by hand since."""
+    """Of the last run in the directory; None when nothing tells it. The launcher
+    knows whether it failed, unless the run has been repeated by hand since, and
+    the summary knows how: mpirun makes 1 of most failures."""
     recorded = record_of(directory).get("exit status", "")
     try:
         newer = os.path.getmtime(os.path.join(directory, "summary.json")) \
             > os.path.getmtime(os.path.join(directory, COMMAND_FILE))
     except OSError:
         newer = False
+    own = summary.get("exit_status")
     if recorded.lstrip("-").isdigit() and not newer:
-        return int(recorded)
-    return summary.get("exit_status")
+        return int(recorded) if int(recorded) == 0 or not own else own
+    return own
 
 
 def row_of(name, directory):

@@ -2,8 +2,9 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 """Stands in for mixed-cracks: writes what a run writes, in no time.
 
-Model/Fail=N leaves with exit status N; Model/Wait=1 waits to be stopped. Every
-start is noted in started.txt beside the output directory.
+Model/Fail=N leaves with exit status N; Model/Wait=1 waits to be stopped,
+Model/Launcher=1 makes 1 of a failure's exit status as mpirun does. Every start is
+noted in started.txt beside the output directory.
 """
 import os
 import sys
@@ -50,7 +51,7 @@ def main():
     print("a line of the log")
     if status:
         print("mixed-cracks: error: the smallest step is reached", file=sys.stderr)
-    sys.exit(status)
+    sys.exit(1 if "Model/Launcher" in settings else status)  # as mpirun does
 
 
 if __name__ == "__main__":

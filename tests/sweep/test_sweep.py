@@ -199,6 +199,12 @@ class Runs(Case):
         self.assertEqual(self.started(), ["bad", "bad", "first_1", "first_2", "last",
                                           "plain", "worse", "worse"])
 
+    def test_status_of_a_launcher(self):
+        text = FILE + "bad = --set Model/Fail=3 --set Model/Launcher=1\n"
+        process = self.sweep(text, "--only", "bad", status=1)
+        self.assertIn("bad: exit status 3", process.stdout)
+        self.assertEqual(self.table()["bad"]["exit_status"], "3")
+
     def test_only_and_table_only(self):
         self.sweep(FILE, "--only", "plain")
         self.assertEqual(self.table()["first_1"]["exit_status"], "")
