@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#ifndef mixed_cracks_output_crack_outcome_h
+#define mixed_cracks_output_crack_outcome_h
+
+#include <output/crack_path.h>
+
+#include <string>
+#include <vector>
+
+namespace MixedCracks
+{
+  /// How a body has broken. A side is every boundary that is neither "hole"
+  /// nor "notch".
+  struct Outcome
+  {
+    /// "through hole": cracks join two different sides, or the notch and a
+    /// side, by way of the hole; "below hole", "above hole": a crack, with
+    /// what it branches from, joins two sides, or the notch and a side,
+    /// without the hole, and passes below or above the center of the hole (the
+    /// mean of its edges); "arrested": there are cracks, but no such
+    /// connection; "none": there is no crack; "other": a connection in a body
+    /// without a hole, or one that does not pass the hole.
+    std::string path = "none";
+    /// Of the cracks that make the connection, or else of the longest crack:
+    /// "notch" when one of them starts there; or else "corner top left" and
+    /// the like when the first of them starts within 3 l of where two sides
+    /// meet; "interior" when that one has grown both ways; the name of the
+    /// boundary it starts at, "hole" included; "elsewhere" in the material;
+    /// "none" without a crack.
+    std::string start = "none";
+  };
+
+  /// @p edges: all of the boundary. @p nuclei: where damage was seen first, in
+  /// that order, mm; the crack nearest to the first of them is the first one,
+  /// without any it is the longest. @p length_scale: l, mm.
+  Outcome classify(const std::vector<Crack>            &cracks,
+                   const std::vector<BoundaryEdge>     &edges,
+                   const std::vector<dealii::Point<2>> &nuclei,
+                   double                               length_scale);
+} // namespace MixedCracks
+
+#endif

@@ -1,0 +1,236 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include <output/crack_outcome.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <set>
+
+namespace MixedCracks
+{
+  using namespace dealii;
+
+  namespace
+  {
+    using Group = std::vector<unsigned int>; // numbers of cracks
+
+    bool
+    is_side(const std::string &name)
+    {
+      return name != "hole" && name != "notch";
+    }
+
+
+
+    double
+    distance_to(const Crack &crack, const Point<2> &point)
+    {
+      double smallest = std::numeric_limits<double>::infinity();
+      for (std::size_t i = 1; i < crack.points.size(); ++i)
+      {
+        const Tensor<1, 2> along  = crack.points[i] - crack.points[i - 1];
+        const double       square = along.norm_square();
+        const double       s =
+          square > 0. ? ((point - crack.points[i - 1]) * along) / square : 0.;
+        smallest =
+          std::min(smallest,
+                   point.distance(crack.points[i - 1] +
+                                  std::min(1., std::max(0., s)) * along));
+      }
+      return smallest;
+    }
+
+
+
+    // cracks that are joined: branches to what they leave, and with
+    // @p by_hole all that end on the hole
+    std::vector<Group>
+    groups_of(const std::vector<Crack> &cracks,
+              const double              length_scale,
+              const bool                by_hole)
+    {
+      std::vector<unsigned int> label(cracks.size());
+      std::iota(label.begin(), label.end(), 0u);
+      const auto merge = [&label](const unsigned int a, const unsigned int b) {
+        const unsigned int from = label[a], to = label[b];
+        std::replace(label.begin(), label.end(), from, to);
+      };
+      const auto is_at_hole = [](const Crack &crack) {
+        return crack.start.name == "hole" || crack.end.name == "hole";
+      };
+      for (unsigned int a = 0; a < cracks.size(); ++a)
+        for (unsigned int b = 0; b < cracks.size(); ++b)
+          if (a != b &&
+              ((by_hole && is_at_hole(cracks[a]) && is_at_hole(cracks[b])) ||
+               (cracks[a].start.kind == CrackEnd::Kind::crack &&
+                distance_to(cracks[b], cracks[a].points.front()) <
+                  length_scale)))
+            merge(a, b);
+      std::vector<Group> groups(cracks.size());
+      for (unsigned int a = 0; a < cracks.size(); ++a)
+        groups[label[a]].push_back(a);
+      groups.erase(std::remove_if(groups.begin(),
+                                  groups.end(),
+                                  [](const Group &g) { return g.empty(); }),
+                   groups.end());
+      return groups;
+    }
+
+
+
+    // two sides, or the notch and a side
+    bool
+    connects(const std::vector<Crack> &cracks, const Group &group)
+    {
+      std::set<std::string> names;
+      bool                  has_side = false;
+      for (const unsigned int c : group)
+        for (const CrackEnd *end : {&cracks[c].start, &cracks[c].end})
+          if (end->kind == CrackEnd::Kind::boundary && end->name != "hole")
+          {
+            names.insert(end->name);
+            has_side = has_side || is_side(end->name);
+          }
+      return has_side && names.size() >= 2;
+    }
+
+
+
+    bool
+    find_hole(const std::vector<BoundaryEdge> &edges, Point<2> &center)
+    {
+      Tensor<1, 2> sum;
+      double       length = 0.;
+      for (const BoundaryEdge &edge : edges)
+        if (edge.name == "hole")
+        {
+          const double part = edge.begin.distance(edge.end);
+          sum += 0.5 * part * (edge.begin + Tensor<1, 2>(edge.end));
+          length += part;
+        }
+      if (length > 0.)
+        center = Point<2>(sum / length);
+      return length > 0.;
+    }
+
+
+
+    // where the cracks pass the vertical line through the center
+    std::string
+    way_past(const std::vector<Crack> &cracks,
+             const Group              &group,
+             const Point<2>           &center)
+    {
+      bool below = false, above = false;
+      for (const unsigned int c : group)
+        for (std::size_t i = 1; i < cracks[c].points.size(); ++i)
+        {
+          const Point<2> &a = cracks[c].points[i - 1], &b = cracks[c].points[i];
+          if ((a[0] < center[0]) == (b[0] < center[0]))
+            continue;
+          const double s = (center[0] - a[0]) / (b[0] - a[0]);
+          (a[1] + s * (b[1] - a[1]) < center[1] ? below : above) = true;
+        }
+      // both, or neither: no word for it
+      return below == above ? "other" : below ? "below hole" : "above hole";
+    }
+
+
+
+    // "corner top left", or empty when no two sides meet there
+    std::string
+    corner_near(const std::vector<BoundaryEdge> &edges,
+                const Point<2>                  &point,
+                const double                     distance)
+    {
+      for (const BoundaryEdge &a : edges)
+        for (const BoundaryEdge &b : edges)
+        {
+          if (!is_side(a.name) || !is_side(b.name) || a.name == b.name)
+            continue;
+          const double tolerance = 1e-6 * a.begin.distance(a.end);
+          for (const Point<2> &corner : {a.begin, a.end})
+            if (corner.distance(point) < distance &&
+                (corner.distance(b.begin) < tolerance ||
+                 corner.distance(b.end) < tolerance))
+            {
+              // "top" and "bottom" first, the rest as in the alphabet
+              std::string first = a.name, second = b.name;
+              const auto  is_first = [](const std::string &name) {
+                return name == "top" || name == "bottom";
+              };
+              if (is_first(second) || (!is_first(first) && second < first))
+                std::swap(first, second);
+              return "corner " + first + " " + second;
+            }
+        }
+      return "";
+    }
+
+
+
+    std::string
+    start_of(const std::vector<Crack>        &cracks,
+             const Group                     &group,
+             const std::vector<BoundaryEdge> &edges,
+             const std::vector<Point<2>>     &nuclei,
+             const double                     length_scale)
+    {
+      const Crack *first = &cracks[group.front()];
+      for (const unsigned int c : group)
+      {
+        const Crack &crack = cracks[c];
+        if (crack.start.name == "notch")
+          return "notch";
+        if (nuclei.empty() ? crack.length > first->length
+                           : distance_to(crack, nuclei.front()) <
+                               distance_to(*first, nuclei.front()))
+          first = &crack;
+      }
+      if (first->from_interior)
+        return "interior";
+      const std::string corner =
+        corner_near(edges, first->points.front(), 3. * length_scale);
+      if (!corner.empty())
+        return corner;
+      return first->start.kind == CrackEnd::Kind::boundary ? first->start.name
+                                                           : "elsewhere";
+    }
+  } // namespace
+
+
+
+  Outcome
+  classify(const std::vector<Crack>        &cracks,
+           const std::vector<BoundaryEdge> &edges,
+           const std::vector<Point<2>>     &nuclei,
+           const double                     length_scale)
+  {
+    Outcome outcome;
+    if (cracks.empty())
+      return outcome;
+    Group      group;
+    Point<2>   center;
+    const bool has_hole = find_hole(edges, center);
+    for (const bool by_hole : {false, true})
+      for (const Group &candidate : groups_of(cracks, length_scale, by_hole))
+        if (group.empty() && connects(cracks, candidate))
+        {
+          group        = candidate;
+          outcome.path = !has_hole ? "other"
+                         : by_hole ? "through hole"
+                                   : way_past(cracks, group, center);
+        }
+    if (group.empty())
+    {
+      outcome.path       = "arrested";
+      const auto longest = std::max_element(
+        cracks.begin(), cracks.end(), [](const Crack &a, const Crack &b) {
+          return a.length < b.length;
+        });
+      group = {static_cast<unsigned int>(longest - cracks.begin())};
+    }
+    outcome.start = start_of(cracks, group, edges, nuclei, length_scale);
+    return outcome;
+  }
+} // namespace MixedCracks
