@@ -23,16 +23,27 @@ namespace MixedCracks
     /// cells within this distance of damaged nodes are refined with them, so
     /// that a running crack does not need another mesh at once; mm
     double margin = 0.;
+    /// where a crack meets coarse cells, those as far ahead of its tip are
+    /// refined too; mm
+    double lookahead = 0.;
   };
 
-  /// Set the refinement flags; false when no cell has one on any rank, which
-  /// is so when all damaged cells are as fine as they may be. @p phase_field
-  /// has ghosts. Collective.
+  /// The damaged nodes of all ranks, and points ahead of the tips of cracks;
+  /// none when all damaged cells are as fine as they may be. @p phase_field
+  /// has ghosts. mm; the same on every rank. Collective.
   template <int dim>
-  bool flag_damaged_cells(const Fields<dim>           &fields,
-                          const LinearAlgebra::Vector &phase_field,
-                          const AdaptationRule        &rule,
-                          dealii::Triangulation<dim>  &triangulation);
+  std::vector<dealii::Point<dim>>
+  places_to_refine(const Fields<dim>           &fields,
+                   const LinearAlgebra::Vector &phase_field,
+                   const AdaptationRule        &rule);
+
+  /// Set the refinement flags of cells within the margin around @p places;
+  /// false when no cell has one on any rank. Refining adds one level: to be
+  /// repeated until it is false. Collective.
+  template <int dim>
+  bool flag_cells_near(const std::vector<dealii::Point<dim>> &places,
+                       const AdaptationRule                  &rule,
+                       dealii::Triangulation<dim>            &triangulation);
 
   /// Refine the flagged cells, number the fields anew, and carry the vectors
   /// over, which have ghosts before and after. Exact for functions of the

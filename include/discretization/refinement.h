@@ -5,6 +5,7 @@
 #include <deal.II/base/bounding_box.h>
 #include <deal.II/grid/tria.h>
 
+#include <array>
 #include <vector>
 
 namespace MixedCracks
@@ -17,15 +18,33 @@ namespace MixedCracks
     unsigned int             levels;
   };
 
-  /// Halve every cell of a coarse mesh @p n_global times, then every cell
-  /// that overlaps a box until it is the box's levels finer (the highest
-  /// where boxes overlap; touching a box is not enough). Works on serial and
-  /// on parallel::distributed triangulations; every rank calls it.
+  /// Refine cells within a distance of straight pieces, of a boundary for
+  /// example; a piece without length is a point, its surroundings a disc.
   template <int dim>
-  void
-  refine_globally_and_in_boxes(dealii::Triangulation<dim> &triangulation,
-                               unsigned int                n_global,
-                               const std::vector<RefinementBox<dim>> &boxes);
+  struct RefinementSurroundings
+  {
+    std::vector<std::array<dealii::Point<dim>, 2>> pieces;   ///< mm
+    double                                         distance; ///< mm
+    unsigned int                                   levels;
+  };
+
+  template <int dim>
+  struct RefinementRegions
+  {
+    std::vector<RefinementBox<dim>>          boxes;
+    std::vector<RefinementSurroundings<dim>> surroundings;
+  };
+
+  /// Halve every cell of a coarse mesh @p n_global times, then every cell in a
+  /// region until it is the region's levels finer (the highest where regions
+  /// overlap). A cell is in a box when they overlap, touching is not enough,
+  /// and in surroundings when its centre is nearer than the distance plus half
+  /// the size of the cell. Works on serial and on parallel::distributed
+  /// triangulations; every rank calls it.
+  template <int dim>
+  void refine_globally_and_in_regions(dealii::Triangulation<dim> &triangulation,
+                                      unsigned int                n_global,
+                                      const RefinementRegions<dim> &regions);
 } // namespace MixedCracks
 
 #endif

@@ -51,6 +51,16 @@ namespace MixedCracks
     /// cannot be read.
     virtual void create(dealii::Triangulation<dim> &triangulation) const = 0;
 
+    /// Points of interest by name; mm.
+    virtual std::map<std::string, dealii::Point<dim>>
+    named_points() const
+    {
+      return {};
+    }
+
+    /// The names of boundaries and points.
+    std::vector<std::string> names() const;
+
     /// Slits of the mesh (doubled nodes): the phase field is 0 on them.
     virtual std::vector<Segment<dim>>
     slits() const

@@ -39,7 +39,7 @@ namespace MixedCracks
   Parameters<dim>::check() const
   {
     geometry.check();
-    mesh.check(geometry.chosen().extent());
+    mesh.check(geometry.chosen().extent(), geometry.chosen().names());
     model.check();
     material.check();
     const auto boundaries = geometry.chosen().boundary_ids();

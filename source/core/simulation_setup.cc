@@ -15,19 +15,75 @@ namespace MixedCracks
 {
   using namespace dealii;
 
+  namespace
+  {
+    // the two halves of every face, so that curved boundaries are met
+    template <int dim>
+    std::vector<std::array<Point<dim>, 2>>
+    pieces_of_boundary(const Triangulation<dim> &triangulation,
+                       const types::boundary_id  id)
+    {
+      std::vector<std::array<Point<dim>, 2>> pieces;
+      for (const auto &cell : triangulation.cell_iterators_on_level(0))
+        for (const unsigned int f : cell->face_indices())
+          if (cell->face(f)->at_boundary() &&
+              cell->face(f)->boundary_id() == id)
+          {
+            const Point<dim> middle = cell->face(f)->center(true);
+            for (const unsigned int v : cell->face(f)->vertex_indices())
+              pieces.push_back({{cell->face(f)->vertex(v), middle}});
+          }
+      return pieces;
+    }
+
+
+
+    template <int dim>
+    RefinementRegions<dim>
+    regions_of(const Parameters<dim>    &parameters,
+               const Triangulation<dim> &triangulation)
+    {
+      RefinementRegions<dim>     result;
+      const Geometry<dim>       &geometry = parameters.geometry.chosen();
+      const RefinedRegions<dim> &regions  = parameters.mesh.regions;
+      for (const RefinedBox<dim> &box : regions.refined_boxes())
+        result.boxes.push_back(
+          {BoundingBox<dim>({box.lower, box.upper}), box.levels});
+      for (const RefinedDisc<dim> &disc : regions.refined_discs())
+        result.surroundings.push_back(
+          {{{{disc.center, disc.center}}}, disc.radius, disc.levels});
+      const auto points     = geometry.named_points();
+      const auto boundaries = geometry.boundary_ids();
+      for (const RefinedSurroundings &named : regions.refined_surroundings())
+      {
+        const auto point = points.find(named.name);
+        result.surroundings.push_back(
+          {point == points.end()
+             ? pieces_of_boundary(triangulation, boundaries.at(named.name))
+             : std::vector<std::array<Point<dim>, 2>>{{{point->second,
+                                                        point->second}}},
+           named.distance,
+           named.levels});
+      }
+      return result;
+    }
+  } // namespace
+
+
+
   template <int dim>
   void
   make_mesh(const Parameters<dim> &parameters,
             Triangulation<dim>    &triangulation)
   {
-    parameters.geometry.chosen().create(triangulation);
+    const Geometry<dim> &geometry = parameters.geometry.chosen();
+    geometry.create(triangulation);
     // what only the mesh of a file can tell
-    parameters.mesh.check(GridTools::compute_bounding_box(triangulation));
-    std::vector<RefinementBox<dim>> boxes;
-    for (const RefinedBox<dim> &box : parameters.mesh.refined_boxes())
-      boxes.push_back({BoundingBox<dim>({box.lower, box.upper}), box.levels});
-    refine_globally_and_in_boxes(
-      triangulation, parameters.mesh.global_refinements, boxes);
+    parameters.mesh.check(GridTools::compute_bounding_box(triangulation),
+                          geometry.names());
+    refine_globally_and_in_regions(triangulation,
+                                   parameters.mesh.global_refinements,
+                                   regions_of(parameters, triangulation));
   }
 
 

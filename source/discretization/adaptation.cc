@@ -17,6 +17,10 @@ namespace MixedCracks
 
   namespace
   {
+    // Distance of the mean of the damage around a node from it, over the radius
+    // looked at: 1/2 at the tip of a line, 0 within one.
+    constexpr double one_sided = 0.3;
+
     // Points sorted into boxes, so that those near a place are found quickly.
     template <int dim>
     class PointGrid
@@ -33,6 +37,34 @@ namespace MixedCracks
       bool
       has_point_within(const Point<dim> &center, const double distance) const
       {
+        return any_within(
+          center, distance, [](const Point<dim> &) { return true; });
+      }
+
+      // of the points within that distance; the center itself without any
+      Point<dim>
+      mean_within(const Point<dim> &center, const double distance) const
+      {
+        Tensor<1, dim> sum;
+        unsigned int   n = 0;
+        any_within(center, distance, [&](const Point<dim> &point) {
+          sum += point - center;
+          ++n;
+          return false;
+        });
+        return n > 0 ? center + sum / n : center;
+      }
+
+    private:
+      using Box = std::array<int, dim>;
+
+      // whether visit(point) is true for one of the points within the distance
+      template <typename Visit>
+      bool
+      any_within(const Point<dim> &center,
+                 const double      distance,
+                 const Visit      &visit) const
+      {
         const Box home = box_of(center);
         for (int i = 0; i < Utilities::pow(3, dim); ++i)
         {
@@ -43,14 +75,11 @@ namespace MixedCracks
           if (found == boxes.end())
             continue;
           for (const Point<dim> &point : found->second)
-            if (point.distance(center) <= distance)
+            if (point.distance(center) <= distance && visit(point))
               return true;
         }
         return false;
       }
-
-    private:
-      using Box = std::array<int, dim>;
 
       Box
       box_of(const Point<dim> &point) const
@@ -67,68 +96,150 @@ namespace MixedCracks
 
 
 
+    template <int dim>
+    struct DamagedNodes
+    {
+      std::vector<Point<dim>> all;
+      // those of cells that may be refined; where a crack meets coarse cells
+      std::vector<Point<dim>> at_coarse_cells;
+      double                  largest_diameter = 0.; // of such cells
+    };
+
+
+
+    // in an order that does not depend on the number of ranks
+    template <int dim>
+    std::vector<Point<dim>>
+    gathered(const std::map<types::global_dof_index, Point<dim>> &own,
+             const MPI_Comm                                       communicator)
+    {
+      std::vector<Point<dim>> points, all;
+      for (const auto &[dof, point] : own)
+        points.push_back(point);
+      for (const auto &part : Utilities::MPI::all_gather(communicator, points))
+        all.insert(all.end(), part.begin(), part.end());
+      std::sort(all.begin(), all.end(), [](const auto &a, const auto &b) {
+        return std::lexicographical_compare(
+          a.begin_raw(), a.end_raw(), b.begin_raw(), b.end_raw());
+      });
+      return all;
+    }
+
+
+
     // the nodes of owned cells that lie below the threshold, on all ranks;
     // none when every cell they belong to is as fine as it may be
     template <int dim>
-    std::vector<Point<dim>>
+    DamagedNodes<dim>
     damaged_nodes(const Fields<dim>    &fields,
                   const Vector         &phase_field,
-                  const AdaptationRule &rule,
-                  double               &largest_diameter)
+                  const AdaptationRule &rule)
     {
-      std::map<types::global_dof_index, Point<dim>> own;
-      bool                                          is_coarse = false;
+      DamagedNodes<dim>                             nodes;
+      std::map<types::global_dof_index, Point<dim>> own, own_coarse;
       for (const auto &cell : fields.phase_field.active_cell_iterators())
         if (cell->is_locally_owned())
         {
           const bool may_be_refined =
             static_cast<unsigned int>(cell->level()) < rule.finest_level;
           if (may_be_refined)
-            largest_diameter = std::max(largest_diameter, cell->diameter());
+            nodes.largest_diameter =
+              std::max(nodes.largest_diameter, cell->diameter());
           for (const unsigned int v : cell->vertex_indices())
           {
             const auto dof = cell->vertex_dof_index(v, 0);
             if (phase_field(dof) >= rule.threshold)
               continue;
-            own[dof]  = cell->vertex(v);
-            is_coarse = is_coarse || may_be_refined;
+            own[dof] = cell->vertex(v);
+            if (may_be_refined)
+              own_coarse[dof] = cell->vertex(v);
           }
         }
       const MPI_Comm communicator = fields.communicator();
-      largest_diameter = Utilities::MPI::max(largest_diameter, communicator);
-      if (Utilities::MPI::max(is_coarse ? 1 : 0, communicator) == 0)
-        return {};
-      std::vector<Point<dim>> points, all;
-      for (const auto &[dof, point] : own)
-        points.push_back(point);
-      for (const auto &part : Utilities::MPI::all_gather(communicator, points))
-        all.insert(all.end(), part.begin(), part.end());
-      return all;
+      nodes.largest_diameter =
+        Utilities::MPI::max(nodes.largest_diameter, communicator);
+      nodes.at_coarse_cells = gathered(own_coarse, communicator);
+      if (!nodes.at_coarse_cells.empty())
+        nodes.all = gathered(own, communicator);
+      return nodes;
+    }
+
+
+
+    // Points ahead of the tips that have come to coarse cells. There the
+    // damage lies to one side, behind; where a band only widens it does not.
+    template <int dim>
+    std::vector<Point<dim>>
+    points_ahead(const DamagedNodes<dim> &nodes, const AdaptationRule &rule)
+    {
+      const double            spacing = rule.margin + nodes.largest_diameter;
+      const PointGrid<dim>    grid(nodes.all, spacing);
+      std::vector<Point<dim>> ahead, tips;
+      for (const Point<dim> &node : nodes.at_coarse_cells)
+      {
+        const auto is_near = [&](const Point<dim> &tip) {
+          return tip.distance(node) < spacing;
+        };
+        if (std::any_of(tips.begin(), tips.end(), is_near))
+          continue;
+        tips.push_back(node);
+        const Tensor<1, dim> forward = node - grid.mean_within(node, spacing);
+        if (forward.norm() < one_sided * spacing)
+          continue;
+        for (double s = spacing; s < rule.lookahead + spacing; s += spacing)
+          ahead.push_back(node + std::min(s, rule.lookahead) *
+                                   (forward / forward.norm()));
+      }
+      return ahead;
     }
   } // namespace
 
 
 
   template <int dim>
-  bool
-  flag_damaged_cells(const Fields<dim>    &fields,
-                     const Vector         &phase_field,
-                     const AdaptationRule &rule,
-                     Triangulation<dim>   &triangulation)
+  std::vector<Point<dim>>
+  places_to_refine(const Fields<dim>    &fields,
+                   const Vector         &phase_field,
+                   const AdaptationRule &rule)
   {
-    double                        largest_diameter = 0.;
-    const std::vector<Point<dim>> nodes =
-      damaged_nodes(fields, phase_field, rule, largest_diameter);
-    if (nodes.empty())
-      return false;
-    const PointGrid<dim> grid(nodes, rule.margin + largest_diameter);
+    const DamagedNodes<dim> nodes  = damaged_nodes(fields, phase_field, rule);
+    std::vector<Point<dim>> places = nodes.all;
+    if (rule.lookahead > 0. && !nodes.all.empty())
+    {
+      const std::vector<Point<dim>> ahead = points_ahead(nodes, rule);
+      places.insert(places.end(), ahead.begin(), ahead.end());
+    }
+    return places;
+  }
+
+
+
+  template <int dim>
+  bool
+  flag_cells_near(const std::vector<Point<dim>> &places,
+                  const AdaptationRule          &rule,
+                  Triangulation<dim>            &triangulation)
+  {
+    const auto may_be_refined = [&](const auto &cell) {
+      return cell->is_locally_owned() &&
+             static_cast<unsigned int>(cell->level()) < rule.finest_level;
+    };
+    double largest_diameter = 0.;
     for (const auto &cell : triangulation.active_cell_iterators())
-      if (cell->is_locally_owned() &&
-          static_cast<unsigned int>(cell->level()) < rule.finest_level &&
+      if (may_be_refined(cell))
+        largest_diameter = std::max(largest_diameter, cell->diameter());
+    const PointGrid<dim> grid(places, rule.margin + largest_diameter);
+    bool                 any = false;
+    for (const auto &cell : triangulation.active_cell_iterators())
+      if (may_be_refined(cell) &&
           grid.has_point_within(cell->center(),
                                 rule.margin + 0.51 * cell->diameter()))
+      {
         cell->set_refine_flag();
-    return true;
+        any = true;
+      }
+    return Utilities::MPI::max(any ? 1 : 0, triangulation.get_communicator()) >
+           0;
   }
 
 
@@ -206,16 +317,17 @@ namespace MixedCracks
 
 
 
-#define INSTANTIATE(dim)                                   \
-  template bool flag_damaged_cells(const Fields<dim> &,    \
-                                   const Vector &,         \
-                                   const AdaptationRule &, \
-                                   Triangulation<dim> &);  \
-  template void refine_and_transfer(                       \
-    parallel::distributed::Triangulation<dim> &,           \
-    Fields<dim> &,                                         \
-    Constraints<dim> &,                                    \
-    const std::vector<Vector *> &,                         \
+#define INSTANTIATE(dim)                                          \
+  template std::vector<Point<dim>> places_to_refine(              \
+    const Fields<dim> &, const Vector &, const AdaptationRule &); \
+  template bool flag_cells_near(const std::vector<Point<dim>> &,  \
+                                const AdaptationRule &,           \
+                                Triangulation<dim> &);            \
+  template void refine_and_transfer(                              \
+    parallel::distributed::Triangulation<dim> &,                  \
+    Fields<dim> &,                                                \
+    Constraints<dim> &,                                           \
+    const std::vector<Vector *> &,                                \
     const std::vector<Vector *> &);
   INSTANTIATE(2)
   INSTANTIATE(3)

@@ -2,6 +2,7 @@
 #include <discretization/refinement.h>
 
 #include <algorithm>
+#include <cmath>
 
 namespace MixedCracks
 {
@@ -26,14 +27,47 @@ namespace MixedCracks
 
 
     template <int dim>
+    double
+    distance(const dealii::Point<dim>                &point,
+             const std::array<dealii::Point<dim>, 2> &piece)
+    {
+      const dealii::Tensor<1, dim> direction = piece[1] - piece[0];
+      const double                 square    = direction.norm_square();
+      const double                 part =
+        square > 0. ? (point - piece[0]) * direction / square : 0.;
+      return point.distance(piece[0] + std::clamp(part, 0., 1.) * direction);
+    }
+
+
+
+    template <int dim>
+    bool
+    is_near(const dealii::TriaIterator<dealii::CellAccessor<dim>> &cell,
+            const RefinementSurroundings<dim>                     &region)
+    {
+      const double reach =
+        region.distance + 0.5 * cell->diameter() / std::sqrt(1. * dim);
+      const dealii::Point<dim> center = cell->center();
+      return std::any_of(
+        region.pieces.begin(), region.pieces.end(), [&](const auto &piece) {
+          return distance(center, piece) < reach;
+        });
+    }
+
+
+
+    template <int dim>
     unsigned int
-    wanted_levels(const dealii::BoundingBox<dim>        &extent,
-                  const std::vector<RefinementBox<dim>> &boxes)
+    wanted_levels(const dealii::TriaIterator<dealii::CellAccessor<dim>> &cell,
+                  const RefinementRegions<dim> &regions)
     {
       unsigned int levels = 0;
-      for (const RefinementBox<dim> &box : boxes)
-        if (overlap(extent, box.box))
+      for (const RefinementBox<dim> &box : regions.boxes)
+        if (overlap(cell->bounding_box(), box.box))
           levels = std::max(levels, box.levels);
+      for (const RefinementSurroundings<dim> &region : regions.surroundings)
+        if (region.levels > levels && is_near<dim>(cell, region))
+          levels = region.levels;
       return levels;
     }
   } // namespace
@@ -42,14 +76,16 @@ namespace MixedCracks
 
   template <int dim>
   void
-  refine_globally_and_in_boxes(dealii::Triangulation<dim> &triangulation,
-                               const unsigned int          n_global,
-                               const std::vector<RefinementBox<dim>> &boxes)
+  refine_globally_and_in_regions(dealii::Triangulation<dim>   &triangulation,
+                                 const unsigned int            n_global,
+                                 const RefinementRegions<dim> &regions)
   {
     triangulation.refine_global(n_global);
     unsigned int n_rounds = 0;
-    for (const RefinementBox<dim> &box : boxes)
+    for (const RefinementBox<dim> &box : regions.boxes)
       n_rounds = std::max(n_rounds, box.levels);
+    for (const RefinementSurroundings<dim> &region : regions.surroundings)
+      n_rounds = std::max(n_rounds, region.levels);
 
     // as many rounds on every rank, whether it has cells to refine or not
     for (unsigned int round = 0; round < n_rounds; ++round)
@@ -57,7 +93,7 @@ namespace MixedCracks
       for (const auto &cell : triangulation.active_cell_iterators())
         if (cell->is_locally_owned() &&
             static_cast<unsigned int>(cell->level()) <
-              n_global + wanted_levels(cell->bounding_box(), boxes))
+              n_global + wanted_levels<dim>(cell, regions))
           cell->set_refine_flag();
       triangulation.execute_coarsening_and_refinement();
     }
@@ -65,8 +101,7 @@ namespace MixedCracks
 
 
 
-  template void
-  refine_globally_and_in_boxes(dealii::Triangulation<2> &,
-                               unsigned int,
-                               const std::vector<RefinementBox<2>> &);
+  template void refine_globally_and_in_regions(dealii::Triangulation<2> &,
+                                               unsigned int,
+                                               const RefinementRegions<2> &);
 } // namespace MixedCracks

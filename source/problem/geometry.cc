@@ -102,5 +102,20 @@ namespace MixedCracks
 
 
   template const Registry<Geometry<2>> &all_geometries<2>();
+  template <int dim>
+  std::vector<std::string>
+  Geometry<dim>::names() const
+  {
+    std::vector<std::string> result;
+    for (const auto &boundary : boundary_ids())
+      result.push_back(boundary.first);
+    for (const auto &point : named_points())
+      result.push_back(point.first);
+    return result;
+  }
+
+
+
+  template class Geometry<2>;
   template class GeometryParameters<2>;
 } // namespace MixedCracks

@@ -29,11 +29,11 @@ namespace
   problem(const std::string &boxes, const unsigned int adaptive_levels = 0)
   {
     MeshParameters<2> mesh;
-    mesh.boxes           = boxes;
+    mesh.regions.boxes   = boxes;
     mesh.adaptive_levels = adaptive_levels;
     try
     {
-      mesh.check();
+      mesh.check({}, {});
     }
     catch (const InputError &error)
     {
@@ -58,8 +58,8 @@ TEST(Refinement, BoxesOnGridLinesCatchNoMoreCells)
 {
   dealii::Triangulation<2> triangulation;
   dealii::GridGenerator::subdivided_hyper_cube(triangulation, 4);
-  refine_globally_and_in_boxes<2>(
-    triangulation, 1, {box(0.25, 0.25, 0.75, 0.75, 1)});
+  refine_globally_and_in_regions<2>(
+    triangulation, 1, {{box(0.25, 0.25, 0.75, 0.75, 1)}, {}});
   // 64 cells, 16 of them halved once more
   EXPECT_EQ(triangulation.n_active_cells(), 48u + 64u);
   for (const auto &cell : triangulation.active_cell_iterators())
@@ -77,8 +77,10 @@ TEST(Refinement, FinestOfOverlappingBoxes)
 {
   dealii::Triangulation<2> triangulation;
   dealii::GridGenerator::subdivided_hyper_cube(triangulation, 4);
-  refine_globally_and_in_boxes<2>(
-    triangulation, 0, {box(0.1, 0.1, 0.9, 0.9, 1), box(0.4, 0.4, 0.6, 0.6, 3)});
+  refine_globally_and_in_regions<2>(
+    triangulation,
+    0,
+    {{box(0.1, 0.1, 0.9, 0.9, 1), box(0.4, 0.4, 0.6, 0.6, 3)}, {}});
   EXPECT_EQ(triangulation.n_levels(), 4u);
   for (const auto &cell : triangulation.active_cell_iterators())
   {
@@ -92,15 +94,47 @@ TEST(Refinement, FinestOfOverlappingBoxes)
 
 
 
+TEST(Refinement, SurroundingsOfPointsAndPieces)
+{
+  dealii::Triangulation<2> triangulation;
+  dealii::GridGenerator::subdivided_hyper_cube(triangulation, 8);
+  const dealii::Point<2>                center(0.5, 0.5);
+  const std::array<dealii::Point<2>, 2> top = {
+    {dealii::Point<2>(0., 1.), dealii::Point<2>(1., 1.)}};
+  refine_globally_and_in_regions<2>(
+    triangulation, 0, {{}, {{{{center, center}}, 0.15, 2}, {{top}, 0.1, 1}}});
+  for (const auto &cell : triangulation.active_cell_iterators())
+  {
+    const double from_center = cell->center().distance(center);
+    const double from_top    = 1. - cell->center()[1];
+    // half the diagonal of the coarse cells, and one ring of balanced cells
+    constexpr double size = 0.125;
+    if (from_center < 0.15)
+    {
+      EXPECT_EQ(cell->level(), 2) << cell->center();
+    }
+    else if (from_top < 0.1)
+    {
+      EXPECT_EQ(cell->level(), 1) << cell->center();
+    }
+    else if (from_center > 0.15 + 2. * size && from_top > 0.1 + 2. * size)
+    {
+      EXPECT_EQ(cell->level(), 0) << cell->center();
+    }
+  }
+}
+
+
+
 TEST(Refinement, SameCellsOnEveryNumberOfRanks)
 {
-  const std::vector<RefinementBox<2>> boxes = {box(0., 0.3, 0.6, 0.7, 2)};
-  dealii::Triangulation<2>            serial;
+  const RefinementRegions<2> regions = {{box(0., 0.3, 0.6, 0.7, 2)}, {}};
+  dealii::Triangulation<2>   serial;
   dealii::parallel::distributed::Triangulation<2> distributed(MPI_COMM_WORLD);
   dealii::GridGenerator::subdivided_hyper_cube(serial, 4);
   dealii::GridGenerator::subdivided_hyper_cube(distributed, 4);
-  refine_globally_and_in_boxes<2>(distributed, 1, boxes);
-  refine_globally_and_in_boxes<2>(serial, 1, boxes);
+  refine_globally_and_in_regions<2>(distributed, 1, regions);
+  refine_globally_and_in_regions<2>(serial, 1, regions);
   EXPECT_EQ(distributed.n_global_levels(), 4u);
   // p4est also balances across corners, so it may have a few cells more
   EXPECT_GE(distributed.n_global_active_cells(), serial.n_active_cells());
@@ -119,8 +153,8 @@ TEST(MeshParameters, ReadsBoxes)
     " set Refined boxes = 0,10 : 20,22 : 1 ; 1, 2 : 3.5, 4 : 3\n"
     " set Adaptation = none\n set Adaptive levels = 0\n"
     " set Phase-field threshold = 0.7\nend\n");
-  mesh.check();
-  const auto boxes = mesh.refined_boxes();
+  mesh.check({}, {});
+  const auto boxes = mesh.regions.refined_boxes();
   ASSERT_EQ(boxes.size(), 2u);
   EXPECT_EQ(mesh.global_refinements, 2u);
   EXPECT_EQ(boxes[0].lower, dealii::Point<2>(0., 10.));

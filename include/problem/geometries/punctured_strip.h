@@ -26,6 +26,8 @@ namespace MixedCracks
 
     void create(dealii::Triangulation<dim> &triangulation) const override;
 
+    std::map<std::string, dealii::Point<dim>> named_points() const override;
+
     std::vector<Segment<dim>> slits() const override;
 
   private:

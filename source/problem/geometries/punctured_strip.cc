@@ -183,6 +183,17 @@ namespace MixedCracks
 
 
   template <int dim>
+  std::map<std::string, dealii::Point<dim>>
+  PuncturedStrip<dim>::named_points() const
+  {
+    if (!measures.has_notch())
+      return {};
+    return {{"notch tip", measures.notch_tip()}};
+  }
+
+
+
+  template <int dim>
   std::vector<Segment<dim>>
   PuncturedStrip<dim>::slits() const
   {

@@ -113,5 +113,14 @@ namespace MixedCracks
 
 
 
+  template <int dim>
+  std::map<std::string, dealii::Point<dim>>
+  SlitSquare<dim>::named_points() const
+  {
+    return {{"slit tip", slits().front().end}};
+  }
+
+
+
   template class SlitSquare<2>;
 } // namespace MixedCracks
