@@ -37,7 +37,9 @@ namespace MixedCracks
     bool solved      = false;
     bool interrupted = false; ///< the user asked to stop
     /// the predicted phase field damages cells that are to be refined
-    bool         mesh_is_too_coarse  = false;
+    bool mesh_is_too_coarse = false;
+    /// left because the phase field was seen to run away from the accepted one
+    bool         runs_away           = false;
     double       phase_field_change  = 0.; ///< max(phi^(n-1) - phi^n)
     double       coupling_change     = 0.; ///< last max|phi - phi~|
     unsigned int coupling_iterations = 0;

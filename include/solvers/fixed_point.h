@@ -38,6 +38,14 @@ namespace MixedCracks
     /// ghosts. Collective.
     Vector next(const Vector &x, const Vector &image);
 
+    /// Whether the last iterates left a state that plain iterations run away
+    /// from: there is no stable one nearby.
+    bool
+    runs_away() const
+    {
+      return is_growing;
+    }
+
     /// Length of the last step over |g(x) - x|; 0 before the first.
     double
     factor() const
@@ -65,6 +73,7 @@ namespace MixedCracks
     Vector             last_x, last_difference;
     std::deque<Vector> changes_of_x, changes_of_difference;
     double             last_factor = 0.;
+    bool               is_growing  = false;
   };
 } // namespace MixedCracks
 

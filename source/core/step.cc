@@ -4,6 +4,7 @@
 #include <deal.II/base/mpi.h>
 
 #include <algorithm>
+#include <cmath>
 
 namespace MixedCracks
 {
@@ -14,6 +15,9 @@ namespace MixedCracks
   {
     // of the elastic residual in one round of the iterated coupling
     constexpr double inexact_reduction = 0.05;
+    // Where loose pieces make Newton's method crawl, this many of its
+    // iterations are enough for one round.
+    constexpr unsigned int inexact_iterations = 3;
 
     // A node fell from (nearly) intact to (nearly) broken in one step.
     constexpr double running_crack_change = 0.9;
@@ -152,7 +156,10 @@ namespace MixedCracks
     // their solves.
     const bool iterated = options.kind == CouplingOptions::Kind::iterated;
     if (iterated && (so_far.coupling_iterations == 0 || !is_settled(so_far)))
+    {
       present.relative_tolerance = inexact_reduction;
+      present.enough_iterations  = inexact_iterations;
+    }
     return elastic.solve(trial, present);
   }
 
@@ -256,8 +263,13 @@ namespace MixedCracks
       }
       // a settled phase field stays, for displacements that are not
       // accurate enough yet
-      if (!is_settled(outcome))
-        advance_lagged_field(accepted, trial);
+      if (is_settled(outcome))
+        continue;
+      advance_lagged_field(accepted, trial);
+      // with no stable state nearby the change would exceed any bound
+      outcome.runs_away = std::isfinite(bound) && acceleration.runs_away();
+      if (outcome.runs_away)
+        break;
     }
     outcome.solved = true;
     return outcome;

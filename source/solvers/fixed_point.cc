@@ -40,6 +40,7 @@ namespace MixedCracks
     changes_of_x.clear();
     changes_of_difference.clear();
     last_factor = 0.;
+    is_growing  = false;
   }
 
 
@@ -159,7 +160,8 @@ namespace MixedCracks
           step *= longest * length / wanted;
       }
     }
-    if (phase == Phase::growing)
+    is_growing = phase == Phase::growing;
+    if (is_growing)
     {
       step = difference;
       step *= std::max(options.over_relaxation, growth_part * longest);

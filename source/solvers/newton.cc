@@ -52,6 +52,10 @@ namespace MixedCracks
       options.tolerance, options.relative_tolerance * outcome.first.largest());
     while (!(outcome.last.largest() <= target))
     {
+      if (options.enough_iterations > 0 &&
+          outcome.iterations >= options.enough_iterations &&
+          outcome.last.largest() < outcome.first.largest())
+        break;
       if (outcome.iterations == options.max_iterations)
       {
         outcome.reason = "no convergence within " +
