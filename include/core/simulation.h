@@ -7,7 +7,10 @@
 
 #include <deal.II/distributed/tria.h>
 
+#include <discretization/adaptation.h>
+
 #include <output/checkpoint.h>
+#include <output/crack_observer.h>
 #include <output/directory.h>
 #include <output/field_output.h>
 #include <output/quantities.h>
@@ -56,13 +59,15 @@ namespace MixedCracks
     /// Everything that depends on the mesh, after it changed.
     void reinit_on_mesh();
 
-    /// Set the refinement flags that a phase field asks for; false: none.
-    bool flag_cells(const LinearAlgebra::Vector &phase_field);
+    AdaptationRule adaptation_rule() const;
+
+    /// Whether the phase field damages cells that are to be finer; sets the
+    /// places.
+    bool needs_finer_mesh(const LinearAlgebra::Vector &phase_field);
 
     void refine_initial_mesh();
 
-    /// Refine the flagged cells, and on until nothing is flagged; the states
-    /// are carried over.
+    /// Refine around the places; the states are carried over.
     void refine(State &accepted, State &trial);
 
     void prepare_output(ExistingRun existing);
@@ -113,6 +118,9 @@ namespace MixedCracks
 
     void log_step(const StatisticsRow &row);
 
+    /// Warn when the last step is not balanced.
+    void check_energy_balance();
+
     const Parameters<dim> &parameters;
     const std::string      effective_parameters;
     const std::string      signature;
@@ -131,18 +139,21 @@ namespace MixedCracks
     std::unique_ptr<PhaseFieldStep<dim>>              phase_field_step;
     std::unique_ptr<StepSolver<dim>>                  step_solver;
     FixedPhaseField                                   fixed_phase_field;
+    std::vector<dealii::Point<dim>>                   places; // to refine
     LoadControl                                       load_control;
 
     BoundaryQuantities<dim>  boundary_quantities;
+    CrackObserver<dim>       crack_observer;
     StatisticsTable          statistics;
     FieldOutput<dim>         field_output;
     double                   external_work = 0.; // mJ
     Checkpoint<dim>          checkpoint;
     std::optional<RunRecord> resumed;
     State                    peak_state;
-    unsigned int             peak_step     = 0;
-    bool                     separated     = false;
-    unsigned int             n_refinements = 0; // of the mesh, in all
+    unsigned int             peak_step          = 0;
+    bool                     separated          = false;
+    unsigned int             n_refinements      = 0; // of the mesh, in all
+    unsigned int             n_imbalanced_steps = 0;
     std::string              case_in_words;
     std::vector<std::string> warnings;
   };

@@ -30,6 +30,8 @@ namespace MixedCracks
     unsigned int peak_step     = 0;
     unsigned int steps_to_wait = 0; ///< before the load step may grow
 
+    /// where damage was seen first, mm
+    std::vector<dealii::Point<2>>               nuclei;
     std::vector<StatisticsRow>                  rows;
     std::vector<std::pair<double, std::string>> field_files;
   };

@@ -11,10 +11,11 @@ namespace MixedCracks
   /// Subsection "Output".
   struct OutputParameters
   {
-    std::string directory        = "results";
-    int         fields_every     = 10;
-    int         checkpoint_every = 10;
-    double      wall_time_limit  = 0.;
+    std::string directory                  = "results";
+    int         fields_every               = 10;
+    int         checkpoint_every           = 10;
+    double      wall_time_limit            = 0.;
+    double      energy_imbalance_tolerance = 0.02;
 
     /// Enters the subsection itself.
     void add_parameters(dealii::ParameterHandler &prm);

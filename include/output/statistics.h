@@ -37,6 +37,11 @@ namespace MixedCracks
 
     /// Length of the force vector, N.
     double force_size() const;
+
+    /// External work since @p start less the growth of stored and crack
+    /// energy, mJ: what a crack that runs sets free, what a lagged phase field
+    /// holds back, and what a pressure law without an energy hides.
+    double energy_imbalance(const StatisticsRow &start) const;
   };
 
   /// statistics.csv: one row per accepted step, flushed as it is written, and

@@ -2,6 +2,7 @@
 #ifndef mixed_cracks_output_summary_h
 #define mixed_cracks_output_summary_h
 
+#include <output/crack_outcome.h>
 #include <output/statistics.h>
 
 #include <map>
@@ -21,6 +22,7 @@ namespace MixedCracks
     double       residual_stiffness = 0.;
     double       thickness          = 1.; ///< mm
     bool         separated          = false;
+    Outcome      cracks;
     std::string  exit_reason;
     int          exit_status    = 0;
     unsigned int rejected_steps = 0, factorizations = 0;

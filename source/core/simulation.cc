@@ -4,6 +4,7 @@
 #include <core/simulation.h>
 
 #include <iostream>
+#include <limits>
 
 namespace MixedCracks
 {
@@ -36,6 +37,9 @@ namespace MixedCracks
                           constraints,
                           parameters.geometry.chosen().boundary_ids().at(
                             parameters.force_boundary()))
+    , crack_observer(fields,
+                     parameters.geometry.chosen().boundary_ids(),
+                     parameters.output.directory)
     , statistics(communicator)
     , field_output(fields, parameters.output.directory)
     , checkpoint(parameters.output.directory, communicator)
@@ -122,7 +126,9 @@ namespace MixedCracks
       typename StepSolver<dim>::Callbacks{
         [this]() { return stop_now(); },
         [this](const LinearAlgebra::Vector &phase_field) {
-          return flag_cells(phase_field);
+          if (!statistics.rows().empty())
+            crack_observer.watch(phase_field);
+          return needs_finer_mesh(phase_field);
         }},
       communicator,
       log);
@@ -141,6 +147,7 @@ namespace MixedCracks
       throw SolverError(analysis.reason);
     phase_field_step->reinit();
     boundary_quantities.reinit();
+    crack_observer.reinit();
     fixed_phase_field.frozen = unbreakable_nodes(parameters, fields);
   }
 
@@ -172,6 +179,8 @@ namespace MixedCracks
       throw SolverError("the initial state cannot be computed: " +
                         outcome.reason);
     relaxed.previous_phase_field = relaxed.phase_field;
+    crack_observer.open(material->description().length_scale);
+    crack_observer.start(relaxed.phase_field);
     record(relaxed, relaxed, outcome);
     return relaxed;
   }
@@ -197,6 +206,22 @@ namespace MixedCracks
 
 
 
+  namespace
+  {
+    std::string
+    why_rejected(const StepOutcome &outcome)
+    {
+      if (!outcome.solved)
+        return outcome.reason;
+      return printed(outcome.runs_away
+                       ? "the phase field runs away, by %.3g so far"
+                       : "the phase field changed by %.3g",
+                     outcome.phase_field_change);
+    }
+  } // namespace
+
+
+
   template <int dim>
   typename Simulation<dim>::Progress
   Simulation<dim>::advance(State &accepted)
@@ -213,11 +238,15 @@ namespace MixedCracks
                        statistics.rows().size(),
                        trial.time,
                        trial.time_step));
-      const StepOutcome outcome =
+      const DamageOrigins origins = crack_observer.origins();
+      const StepOutcome   outcome =
         solve_step(accepted, trial, load_control.phase_field_bound());
       if (outcome.interrupted)
         return Progress::interrupted;
-      switch (load_control.judge(outcome.solved, outcome.phase_field_change))
+      const double change = outcome.runs_away
+                              ? std::numeric_limits<double>::infinity()
+                              : outcome.phase_field_change;
+      switch (load_control.judge(outcome.solved, change))
       {
         case LoadControl::Verdict::accept:
           trial.previous_phase_field = accepted.phase_field;
@@ -225,10 +254,8 @@ namespace MixedCracks
           accepted = trial;
           return Progress::accepted;
         case LoadControl::Verdict::repeat:
-          log.line(outcome.solved
-                     ? printed("  rejected: the phase field changed by %.3g",
-                               outcome.phase_field_change)
-                     : "  rejected: " + outcome.reason);
+          log.line("  rejected: " + why_rejected(outcome));
+          crack_observer.take_back(origins);
           break;
         case LoadControl::Verdict::give_up:
           log.line("  failed at the smallest step: " + outcome.reason);

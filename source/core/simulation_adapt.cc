@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include <core/simulation.h>
 
-#include <discretization/adaptation.h>
-
 namespace MixedCracks
 {
   using namespace dealii;
@@ -28,17 +26,30 @@ namespace MixedCracks
 
 
   template <int dim>
-  bool
-  Simulation<dim>::flag_cells(const LinearAlgebra::Vector &phase_field)
+  AdaptationRule
+  Simulation<dim>::adaptation_rule() const
   {
-    if (parameters.mesh.adaptation == "none")
-      return false;
+    const double   length_scale = material->description().length_scale;
     AdaptationRule rule;
     rule.threshold    = parameters.mesh.phase_field_threshold;
     rule.finest_level = parameters.mesh.finest_adaptive_level();
-    rule.margin =
-      parameters.mesh.refinement_margin * material->description().length_scale;
-    return flag_damaged_cells(fields, phase_field, rule, triangulation);
+    rule.margin       = parameters.mesh.refinement_margin * length_scale;
+    // no crack runs before the first load step
+    if (!statistics.rows().empty())
+      rule.lookahead = parameters.mesh.refinement_lookahead * length_scale;
+    return rule;
+  }
+
+
+
+  template <int dim>
+  bool
+  Simulation<dim>::needs_finer_mesh(const LinearAlgebra::Vector &phase_field)
+  {
+    if (parameters.mesh.adaptation == "none")
+      return false;
+    places = places_to_refine(fields, phase_field, adaptation_rule());
+    return !places.empty();
   }
 
 
@@ -56,7 +67,8 @@ namespace MixedCracks
       LinearAlgebra::Vector phase_field =
         fields.ghosted_vector(fields.phase_field_dofs);
       phase_field = start;
-      if (!flag_cells(phase_field))
+      if (!needs_finer_mesh(phase_field) ||
+          !flag_cells_near(places, adaptation_rule(), triangulation))
         return;
       refine_and_transfer(triangulation, fields, constraints, {}, {});
     }
@@ -70,15 +82,15 @@ namespace MixedCracks
   {
     {
       TimerOutput::Scope scope(timer, "refinement");
-      // a round adds one level; the flags of the first are set
-      do
+      // a round adds one level
+      while (flag_cells_near(places, adaptation_rule(), triangulation))
       {
         std::vector<LinearAlgebra::Vector *> elastic, phase_field;
         for (State *state : {&accepted, &trial, &peak_state})
           collect(*state, elastic, phase_field);
         refine_and_transfer(
           triangulation, fields, constraints, elastic, phase_field);
-      } while (flag_cells(trial.phase_field));
+      }
     }
     ++n_refinements;
     reinit_on_mesh();
@@ -94,7 +106,8 @@ namespace MixedCracks
 
 
 
-  template bool Simulation<2>::flag_cells(const LinearAlgebra::Vector &);
+  template AdaptationRule Simulation<2>::adaptation_rule() const;
+  template bool Simulation<2>::needs_finer_mesh(const LinearAlgebra::Vector &);
   template void Simulation<2>::refine_initial_mesh();
   template void Simulation<2>::refine(State &, State &);
 } // namespace MixedCracks

@@ -153,12 +153,45 @@ namespace MixedCracks
 
   template <int dim>
   void
+  Simulation<dim>::check_energy_balance()
+  {
+    const std::vector<StatisticsRow> &rows = statistics.rows();
+    const double tolerance = parameters.output.energy_imbalance_tolerance;
+    if (rows.size() < 2 || tolerance == 0.)
+      return;
+    const StatisticsRow &row = rows.back();
+    const double imbalance   = row.energy_imbalance(rows[rows.size() - 2]);
+    const double work        = std::abs(row.external_work);
+    if (!(std::abs(imbalance) > tolerance * work))
+      return;
+    const std::string reason =
+      parameters.model.coupling != "iterated"
+        ? "the lagged phase field acts as a rate effect"
+      : imbalance > 0. &&
+          row.phase_field_change > parameters.load.largest_phase_field_change
+        ? "set free by a crack that ran"
+        : "the step is too long, or the pressure law has no energy";
+    log.line(printed("  energy balance: %.4g mJ of this step, %.1f %% of the "
+                     "external work so far, are neither stored nor in the "
+                     "crack: %s",
+                     imbalance,
+                     100. * imbalance / work,
+                     reason.c_str()));
+    ++n_imbalanced_steps;
+  }
+
+
+
+  template <int dim>
+  void
   Simulation<dim>::log_end(const RunOutcome &outcome, const Summary &summary)
   {
     const StatisticsRow &peak = statistics.rows()[peak_row(statistics.rows())];
     const StatisticsRow &last = statistics.rows().back();
     log.line("");
     log.line("end: " + outcome.reason);
+    log.line("crack: " + summary.cracks.path +
+             ", start: " + summary.cracks.start);
     log.line(printed("peak force %.6g N at %.6g mm; at the end %.3g N (%.1f %% "
                      "of the peak) at %.6g mm",
                      peak.force_size(),
@@ -168,6 +201,13 @@ namespace MixedCracks
                        ? 100. * last.force_size() / peak.force_size()
                        : 0.,
                      last.displacement));
+    if (n_imbalanced_steps > 0)
+      log.line(printed("energy balance: off by %.4g mJ in all, %.1f %% of the "
+                       "external work; warnings in %u steps",
+                       last.energy_imbalance(statistics.rows().front()),
+                       100. * last.energy_imbalance(statistics.rows().front()) /
+                         last.external_work,
+                       n_imbalanced_steps));
     log.line(printed("steps %u, rejected %u, factorisations %u, solves %u, "
                      "%.1f s",
                      last.step,
@@ -188,5 +228,6 @@ namespace MixedCracks
   template void   Simulation<2>::collect_warnings();
   template void   Simulation<2>::preflight();
   template void   Simulation<2>::log_step(const StatisticsRow &);
+  template void   Simulation<2>::check_energy_balance();
   template void   Simulation<2>::log_end(const RunOutcome &, const Summary &);
 } // namespace MixedCracks

@@ -66,6 +66,7 @@ namespace MixedCracks
     row.refinements         = n_refinements;
     statistics.add(row);
     log_step(row);
+    check_energy_balance();
 
     if (row.force_size() > load_control.peak_force())
     {
@@ -73,6 +74,8 @@ namespace MixedCracks
       peak_step  = row.step;
     }
     separated = load_control.is_separated(row.force_size());
+    crack_observer.record(
+      row.step, row.time, row.displacement, state.phase_field);
     write_fields_when_due(state);
     scope.reset(); // a checkpoint has its own
     const unsigned int every = parameters.output.checkpoint_every;
@@ -146,7 +149,8 @@ namespace MixedCracks
                        "its peak";
     else
       outcome.reason = "end time reached";
-    const Summary summary = summarize(outcome);
+    Summary summary = summarize(outcome);
+    summary.cracks  = crack_observer.finish(last.phase_field);
     if (Utilities::MPI::this_mpi_process(communicator) == 0)
       write_summary(parameters.output.directory + "/summary.json",
                     summary,

@@ -38,6 +38,7 @@ namespace MixedCracks
     record.external_work = external_work;
     record.peak_step     = peak_step;
     record.steps_to_wait = load_control.steps_to_wait();
+    record.nuclei        = crack_observer.origins().nuclei();
     record.rows          = statistics.rows();
     // the state of the peak is not kept: what shall be seen of it is written
     if (!field_output.has(peak_step))
@@ -65,6 +66,10 @@ namespace MixedCracks
     peak_state    = state;
     statistics.restore(resumed->rows);
     n_refinements = resumed->rows.back().refinements;
+    crack_observer.resume(material->description().length_scale,
+                          resumed->rows.back().step,
+                          resumed->nuclei,
+                          state.phase_field);
     field_output.restore(resumed->field_files);
     log.line("resumed at step " +
              std::to_string(statistics.rows().back().step));

@@ -22,6 +22,8 @@ namespace MixedCracks
                                      "parameters.prm",
                                      "summary.json",
                                      "crack_path.csv",
+                                     "crack_path.pvd",
+                                     "crack_path",
                                      "report.html",
                                      "checkpoint"};
 

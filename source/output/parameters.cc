@@ -32,6 +32,13 @@ namespace MixedCracks
                       "every so many accepted steps, and when the run is "
                       "stopped on request; 0: only then. Unit: 1.",
                       Patterns::Integer(0));
+    prm.add_parameter("Energy imbalance tolerance",
+                      energy_imbalance_tolerance,
+                      "The log warns of a load step in which the external work "
+                      "differs from the growth of stored and crack energy by "
+                      "more than this, relative to the external work so far; "
+                      "0: no warnings. Unit: 1.",
+                      Patterns::Double(0.));
     prm.add_parameter("Wall time limit",
                       wall_time_limit,
                       "After this time the run stops with a checkpoint and "

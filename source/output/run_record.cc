@@ -49,7 +49,10 @@ namespace MixedCracks
         << ' ' << record.next_step << ' ' << record.peak_force << ' '
         << record.external_work << ' ' << record.peak_step << ' '
         << record.steps_to_wait << '\n'
-        << record.rows.size() << '\n';
+        << record.nuclei.size() << '\n';
+    for (const dealii::Point<2> &nucleus : record.nuclei)
+      out << nucleus[0] << ' ' << nucleus[1] << '\n';
+    out << record.rows.size() << '\n';
     for (const StatisticsRow &row : record.rows)
     {
       for_each_member(row, [&](const auto &value) { out << value << ' '; });
@@ -66,11 +69,18 @@ namespace MixedCracks
   read_record(std::istream &in)
   {
     RunRecord   record;
-    std::size_t n_rows = 0, n_files = 0;
+    std::size_t n_nuclei = 0, n_rows = 0, n_files = 0;
     in >> std::quoted(record.signature) >> record.cell_size >> record.time >>
       record.time_step >> record.next_step >> record.peak_force >>
       record.external_work >> record.peak_step >> record.steps_to_wait >>
-      n_rows;
+      n_nuclei;
+    for (std::size_t i = 0; in && i < n_nuclei; ++i)
+    {
+      dealii::Point<2> nucleus;
+      in >> nucleus[0] >> nucleus[1];
+      record.nuclei.push_back(nucleus);
+    }
+    in >> n_rows;
     for (std::size_t i = 0; in && i < n_rows; ++i)
     {
       StatisticsRow row;

@@ -21,13 +21,13 @@ namespace MixedCracks
              "min_phase_field,max_phase_field_change,newton_iterations,"
              "linear_iterations,active_set_size,cells,dofs,wall_time_s,"
              "coupling_iterations,coupling_change,factorizations,"
-             "rejected_steps,refinements\n";
+             "rejected_steps,refinements,energy_imbalance_mJ\n";
     }
 
 
 
     std::string
-    line(const StatisticsRow &row, const int dim)
+    line(const StatisticsRow &row, const StatisticsRow &first, const int dim)
     {
       std::ostringstream out;
       out << std::setprecision(10) << row.step << ',' << row.time << ','
@@ -41,7 +41,8 @@ namespace MixedCracks
           << row.cells << ',' << row.dofs << ',' << std::setprecision(4)
           << row.wall_time << ',' << row.coupling_iterations << ','
           << row.coupling_change << ',' << row.factorizations << ','
-          << row.rejected_steps << ',' << row.refinements << '\n';
+          << row.rejected_steps << ',' << row.refinements << ','
+          << std::setprecision(10) << row.energy_imbalance(first) << '\n';
       return out.str();
     }
   } // namespace
@@ -53,6 +54,16 @@ namespace MixedCracks
   {
     return std::sqrt(force[0] * force[0] + force[1] * force[1] +
                      force[2] * force[2]);
+  }
+
+
+
+  double
+  StatisticsRow::energy_imbalance(const StatisticsRow &start) const
+  {
+    return external_work - start.external_work -
+           (elastic_energy - start.elastic_energy) -
+           (crack_energy - start.crack_energy);
   }
 
 
@@ -97,7 +108,7 @@ namespace MixedCracks
     std::string message;
     if (dealii::Utilities::MPI::this_mpi_process(communicator) == 0)
     {
-      file << line(row, dim) << std::flush;
+      file << line(row, table.front(), dim) << std::flush;
       if (!file)
         message = "Output/Directory: '" + name +
                   "' cannot be written any more; is the disk full?";

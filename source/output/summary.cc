@@ -134,6 +134,8 @@ namespace MixedCracks
     json.add("thickness_mm", summary.thickness);
     add_peak(json, rows);
     json.raw("separated", summary.separated ? "true" : "false");
+    json.add("outcome", summary.cracks.path);
+    json.add("outcome_start", summary.cracks.start);
     json.add("exit_reason", summary.exit_reason);
     json.add("exit_status", summary.exit_status);
     json.add("rejected_steps", summary.rejected_steps);

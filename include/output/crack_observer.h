@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#ifndef mixed_cracks_output_crack_observer_h
+#define mixed_cracks_output_crack_observer_h
+
+#include <core/linear_algebra.h>
+
+#include <discretization/fields.h>
+
+#include <output/crack_path_file.h>
+#include <output/damage_origins.h>
+
+#include <map>
+#include <string>
+#include <vector>
+
+namespace MixedCracks
+{
+  /// Watches the phase field of a run in the plane for cracks: where they
+  /// start, their paths per step, and what becomes of the body. In 3-d it does
+  /// nothing. Vectors have ghosts. Collective.
+  template <int dim>
+  class CrackObserver
+  {
+  public:
+    CrackObserver(
+      const Fields<dim>                                       &fields,
+      const std::map<std::string, dealii::types::boundary_id> &names,
+      const std::string                                       &directory);
+
+    /// @p length_scale: l, mm. Throws FileError.
+    void open(double length_scale);
+
+    /// Go on with the files of a run up to @p last_step. Throws FileError.
+    void resume(double                               length_scale,
+                unsigned int                         last_step,
+                const std::vector<dealii::Point<2>> &nuclei,
+                const LinearAlgebra::Vector         &phase_field);
+
+    /// To be called when the mesh changed.
+    void reinit();
+
+    /// The phase field after slits and initial cracks have their profile.
+    void start(const LinearAlgebra::Vector &phase_field);
+
+    /// A phase field that is predicted within a step.
+    void watch(const LinearAlgebra::Vector &phase_field);
+
+    /// To take back what was watched since.
+    const DamageOrigins &
+    origins() const
+    {
+      return damage_origins;
+    }
+
+    void take_back(const DamageOrigins &earlier);
+
+    /// Write the paths of an accepted step. Throws FileError.
+    void record(unsigned int                 step,
+                double                       time,         // s
+                double                       displacement, // mm
+                const LinearAlgebra::Vector &phase_field);
+
+    /// At the end. Throws FileError.
+    Outcome finish(const LinearAlgebra::Vector &phase_field);
+
+  private:
+    /// Positions of broken nodes of all ranks not reported since reinit().
+    std::vector<dealii::Point<2>>
+    newly_broken(const LinearAlgebra::Vector &phase_field);
+
+    /// On rank 0; empty elsewhere.
+    std::vector<Crack> trace(const LinearAlgebra::Vector     &phase_field,
+                             const std::vector<BoundaryEdge> &edges) const;
+
+    std::vector<DamagedCell>
+    damaged_cells(const LinearAlgebra::Vector &phase_field) const;
+
+    std::vector<BoundaryEdge> boundary_edges() const;
+
+    const Fields<dim>                                &fields;
+    std::map<dealii::types::boundary_id, std::string> names;
+    const std::string                                 directory;
+    double                                            length_scale = 0.;
+    DamageOrigins                                     damage_origins;
+    std::unique_ptr<CrackPathFile>                    file;
+
+    // owned nodes of the phase field, and whether they were reported
+    std::vector<dealii::Point<dim>> positions;
+    std::vector<bool>               reported;
+  };
+} // namespace MixedCracks
+
+#endif
