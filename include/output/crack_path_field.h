@@ -15,7 +15,8 @@ namespace MixedCracks
   class DamageField
   {
   public:
-    using Node = unsigned int;
+    using Node                    = unsigned int;
+    static constexpr Node no_node = static_cast<Node>(-1);
 
     /// @p broken: nodes with a smaller phase field are broken
     DamageField(const std::vector<DamagedCell> &cells, double broken);
@@ -37,19 +38,20 @@ namespace MixedCracks
   private:
     using Box = std::pair<long, long>;
 
-    struct Cell
-    {
-      std::array<dealii::Point<2>, 4> vertices;
-      std::array<double, 4>           phase_field;
-    };
-
+    Node find_node(const dealii::Point<2> &point) const;
     Node node_at(const dealii::Point<2> &point);
     void add_cell(const DamagedCell &cell);
     void link(Node a, Node b);
     void link_hanging_nodes(const DamagedCell &cell);
     Box  box_of(const dealii::Point<2> &point, double box_size) const;
 
-    std::vector<Cell>                        cells;
+    double
+    node_box() const
+    {
+      return 4. * tolerance;
+    }
+
+    std::vector<DamagedCell>                 cells;
     std::map<Box, std::vector<unsigned int>> cells_in_box;
     std::map<Box, std::vector<Node>>         nodes_in_box;
     double                                   size      = 0.;

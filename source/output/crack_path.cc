@@ -143,6 +143,26 @@ namespace MixedCracks
       crack.kink_angle    = kink_angle(problem, crack);
       return crack;
     }
+
+
+
+    // most of it has been found before
+    bool
+    is_known(const CrackPathProblem   &problem,
+             const Crack              &crack,
+             const std::vector<Crack> &known)
+    {
+      const double near =
+        std::max(0.5 * problem.options.length_scale, problem.h);
+      const auto n = std::count_if(
+        crack.points.begin(), crack.points.end(), [&](const Point<2> &point) {
+          return std::any_of(
+            known.begin(), known.end(), [&](const Crack &other) {
+              return distance_to(other.points, point) < near;
+            });
+        });
+      return 2 * static_cast<std::size_t>(n) > crack.points.size();
+    }
   } // namespace
 
 
@@ -173,7 +193,8 @@ namespace MixedCracks
       {
         const Crack crack = make_crack(problem, part, parent);
         parent            = nullptr;
-        if (crack.length >= options.shortest * options.length_scale)
+        if (crack.length >= options.shortest * options.length_scale &&
+            !is_known(problem, crack, cracks))
           cracks.push_back(crack);
       }
     }

@@ -161,12 +161,16 @@ namespace MixedCracks
       else if (!parts.back().empty())
         parts.emplace_back();
     }
-    parts.erase(std::remove_if(parts.begin(),
-                               parts.end(),
-                               [&](const Polyline &part) {
-                                 return part.size() < 2 ||
-                                        length_of(part) < 0.9 * problem.h;
-                               }),
+    if (parts.back().empty())
+      parts.pop_back();
+    // what is left beyond a part that follows the boundary must be longer
+    const double shortest =
+      parts.size() > 1 ? std::max(problem.options.length_scale, 2. * problem.h)
+                       : 0.9 * problem.h;
+    const auto is_short = [&](const Polyline &part) {
+      return part.size() < 2 || length_of(part) < shortest;
+    };
+    parts.erase(std::remove_if(parts.begin(), parts.end(), is_short),
                 parts.end());
     return parts;
   }

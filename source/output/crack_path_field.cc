@@ -110,7 +110,7 @@ namespace MixedCracks
   DamageField::add_cell(const DamagedCell &cell)
   {
     const unsigned int index = cells.size();
-    cells.push_back({cell.vertices, cell.phase_field});
+    cells.push_back(cell);
     std::array<Node, 4> nodes;
     Point<2>            lower = cell.vertices[0], upper = lower;
     for (unsigned int v = 0; v < 4; ++v)
@@ -144,17 +144,9 @@ namespace MixedCracks
     {
       const Point<2> middle =
         0.5 * (cell.vertices[edge[0]] + cell.vertices[edge[1]]);
-      const std::size_t before = points.size();
-      const Node        node   = node_at(middle);
-      if (points.size() > before)
-      {
-        // there was none: take it back
-        nodes_in_box[box_of(middle, 4. * tolerance)].pop_back();
-        points.pop_back();
-        values.pop_back();
-        neighbours.pop_back();
+      const Node node = find_node(middle);
+      if (node == no_node)
         continue;
-      }
       for (unsigned int v = 0; v < 4; ++v)
         link(node, node_at(cell.vertices[v]));
     }
@@ -185,10 +177,9 @@ namespace MixedCracks
 
 
   DamageField::Node
-  DamageField::node_at(const Point<2> &point)
+  DamageField::find_node(const Point<2> &point) const
   {
-    const double box  = 4. * tolerance;
-    const Box    home = box_of(point, box);
+    const Box home = box_of(point, node_box());
     for (long i = -1; i <= 1; ++i)
       for (long j = -1; j <= 1; ++j)
       {
@@ -199,11 +190,22 @@ namespace MixedCracks
           if (points[node].distance(point) < tolerance)
             return node;
       }
-    const Node node = points.size();
+    return no_node;
+  }
+
+
+
+  DamageField::Node
+  DamageField::node_at(const Point<2> &point)
+  {
+    Node node = find_node(point);
+    if (node != no_node)
+      return node;
+    node = points.size();
     points.push_back(point);
     values.push_back(1.);
     neighbours.emplace_back();
-    nodes_in_box[home].push_back(node);
+    nodes_in_box[box_of(point, node_box())].push_back(node);
     return node;
   }
 
@@ -217,8 +219,8 @@ namespace MixedCracks
       return 1.;
     for (const unsigned int index : found->second)
     {
-      double      x, y;
-      const Cell &cell = cells[index];
+      double             x, y;
+      const DamagedCell &cell = cells[index];
       if (find_reference_point(cell.vertices, point, x, y))
         return bilinear(cell.phase_field, x, y);
     }

@@ -13,7 +13,7 @@ namespace MixedCracks
   namespace
   {
     using Node                     = DamageField::Node;
-    constexpr Node   no_node       = static_cast<Node>(-1);
+    constexpr Node   no_node       = DamageField::no_node;
     constexpr double far_away      = std::numeric_limits<double>::infinity();
     constexpr double cost_of_field = 20.;
 

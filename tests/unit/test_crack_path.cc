@@ -247,6 +247,40 @@ TEST(CrackPath, StartsAtTheTipOfTheNotchWithItsAngle)
 
 
 
+TEST(CrackPath, StartsAtASharpOrABluntNotch)
+{
+  for (const bool is_sharp : {true, false})
+  {
+    SCOPED_TRACE(is_sharp);
+    Imposed                   body;
+    std::vector<BoundaryEdge> edges;
+    add_edges({0., 2.4}, {0., 0.}, "left", body.h, edges);
+    add_edges({0., 0.}, {12., 0.}, "bottom", body.h, edges);
+    add_edges({12., 0.}, {12., 6.}, "right", body.h, edges);
+    add_edges({12., 6.}, {0., 6.}, "top", body.h, edges);
+    add_edges({0., 6.}, {0., 3.6}, "left", body.h, edges);
+    const double width = is_sharp ? 0. : 0.6; // half of it, at the far end
+    add_edges({0., 3.6}, {3., 3. + width}, "notch", body.h, edges);
+    if (!is_sharp)
+      add_edges({3., 3.6}, {3., 2.4}, "notch", body.h, edges);
+    add_edges({3., 3. - width}, {0., 2.4}, "notch", body.h, edges);
+    body.is_void = [is_sharp](const Point<2> &point) {
+      return point[0] < 3. && std::abs(point[1] - 3.) <
+                                0.6 * (is_sharp ? 1. - point[0] / 3. : 1.);
+    };
+    body.curves       = {straight({3., 3.}, {12., 4.})};
+    const auto cracks = trace_cracks(body.cells(), edges, options(body));
+    ASSERT_EQ(cracks.size(), 1u);
+    EXPECT_EQ(cracks[0].start_name(), "notch");
+    EXPECT_EQ(cracks[0].end.name, "right");
+    EXPECT_NEAR(cracks[0].kink_angle, 180. / M_PI * std::atan(1. / 9.), 2.);
+    EXPECT_LT(largest_distance(cracks[0].points, body.curves[0]), 0.5 * body.h);
+    EXPECT_LT(largest_distance(body.curves[0], cracks[0].points), 0.5 * body.h);
+  }
+}
+
+
+
 TEST(CrackPath, MeasuresTheAngleToTheNormalElsewhere)
 {
   Imposed body;

@@ -1,0 +1,184 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// What is written about cracks, and what a resumed run keeps of it.
+#include <output/crack_path_file.h>
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+#include <unistd.h>
+
+using namespace MixedCracks;
+using dealii::Point;
+
+namespace
+{
+  class CrackPathFiles : public ::testing::Test
+  {
+  protected:
+    const std::string directory = (std::filesystem::temp_directory_path() /
+                                   ("crack_path_" + std::to_string(getpid())))
+                                    .string();
+    CrackPathFile file{directory, 0.03};
+
+    void
+    SetUp() override
+    {
+      std::filesystem::create_directories(directory);
+    }
+
+    void
+    TearDown() override
+    {
+      std::filesystem::remove_all(directory);
+    }
+
+    std::string
+    content(const std::string &name) const
+    {
+      std::ifstream      in(directory + '/' + name);
+      std::ostringstream out;
+      out << in.rdbuf();
+      return out.str();
+    }
+
+    unsigned int
+    count(const std::string &name, const std::string &word) const
+    {
+      const std::string text = content(name);
+      unsigned int      n    = 0;
+      for (std::size_t at = text.find(word); at != std::string::npos;
+           at             = text.find(word, at + 1))
+        ++n;
+      return n;
+    }
+  };
+
+  // from the notch to the right
+  Crack
+  crack_to(const double x)
+  {
+    Crack crack;
+    crack.points     = {{3., 3.}, {x, 3.}};
+    crack.length     = x - 3.;
+    crack.kink_angle = 1. / 3.;
+    crack.start      = {CrackEnd::Kind::boundary, "notch"};
+    return crack;
+  }
+
+  const std::string header =
+    "step,time_s,displacement_mm,crack,length_mm,kink_angle_deg,start,end,"
+    "tip_x_mm,tip_y_mm,point,x_mm,y_mm,arc_length_mm\n";
+  const std::string rows_of_step_2 =
+    "2,0.1,0.02,0,1.5,0.3333333333,notch,,4.5,3,0,3,3,0\n"
+    "2,0.1,0.02,0,1.5,0.3333333333,notch,,4.5,3,1,4.5,3,1.5\n";
+} // namespace
+
+
+
+TEST_F(CrackPathFiles, HoldARowPerPoint)
+{
+  EXPECT_EQ(file.add(1, 0.05, 0.01, {}), "");
+  EXPECT_EQ(content("crack_path.csv"), header);
+  EXPECT_EQ(file.add(2, 0.1, 0.02, {crack_to(4.5)}), "");
+  EXPECT_EQ(content("crack_path.csv"), header + rows_of_step_2);
+}
+
+
+
+TEST_F(CrackPathFiles, LeaveOutAnAngleThatIsNone)
+{
+  Crack crack      = crack_to(4.5);
+  crack.start      = {};
+  crack.end        = {CrackEnd::Kind::boundary, "right"};
+  crack.kink_angle = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_EQ(file.add(2, 0.1, 0.02, {crack}), "");
+  EXPECT_EQ(count("crack_path.csv", ",1.5,,,right,4.5,"), 2u);
+}
+
+
+
+TEST_F(CrackPathFiles, AreNotWrittenForPathsThatStay)
+{
+  EXPECT_EQ(file.add(2, 0.1, 0.02, {crack_to(4.5)}), "");
+  EXPECT_EQ(file.add(3, 0.2, 0.03, {crack_to(4.52)}), "");
+  EXPECT_EQ(content("crack_path.csv"), header + rows_of_step_2);
+  EXPECT_FALSE(
+    std::filesystem::exists(directory + "/crack_path/crack_path_000003.vtp"));
+  // more than the tolerance from what was written, though not from step 3
+  EXPECT_EQ(file.add(4, 0.3, 0.04, {crack_to(4.54)}), "");
+  EXPECT_EQ(count("crack_path.csv", "\n4,"), 2u);
+  EXPECT_EQ(file.add(5, 0.4, 0.05, {crack_to(4.54), crack_to(9.)}), "");
+  EXPECT_EQ(count("crack_path.csv", "\n5,"), 4u);
+}
+
+
+
+TEST_F(CrackPathFiles, CanBeSeenInParaView)
+{
+  EXPECT_EQ(file.add(2, 0.1, 0.02, {crack_to(4.5), crack_to(6.)}), "");
+  EXPECT_EQ(file.add(7, 0.2, 0.03, {crack_to(5.)}), "");
+  EXPECT_EQ(count("crack_path.pvd", "<DataSet "), 2u);
+  EXPECT_EQ(count("crack_path.pvd",
+                  "timestep=\"0.2\" group=\"\" part=\"0\" "
+                  "file=\"crack_path/crack_path_000007.vtp\""),
+            1u);
+  const std::string name = "crack_path/crack_path_000002.vtp";
+  EXPECT_EQ(count(name, "NumberOfPoints=\"4\""), 1u);
+  EXPECT_EQ(count(name, "NumberOfLines=\"2\""), 1u);
+  EXPECT_EQ(count(name, "3 3 0\n4.5 3 0\n3 3 0\n6 3 0\n"), 1u);
+  EXPECT_EQ(count(name, "\n0 1 2 3 \n"), 1u); // connectivity
+  EXPECT_EQ(count(name, "\n2 4 \n"), 1u);     // offsets
+  EXPECT_EQ(count(name, "\n1.5 3 \n"), 1u);   // lengths
+  EXPECT_EQ(count(name, "\n0\n1.5\n0\n3\n"), 1u);
+}
+
+
+
+TEST_F(CrackPathFiles, EndWithTheOutcome)
+{
+  EXPECT_EQ(file.add(2, 0.1, 0.02, {crack_to(4.5)}), "");
+  EXPECT_EQ(file.finish({"through hole", "notch"}), "");
+  EXPECT_EQ(content("crack_path.csv"),
+            header + rows_of_step_2 +
+              "# outcome: through hole; start: notch\n");
+}
+
+
+
+TEST_F(CrackPathFiles, AreRestoredUpToAStep)
+{
+  EXPECT_EQ(file.add(2, 0.1, 0.02, {crack_to(4.5)}), "");
+  EXPECT_EQ(file.add(10, 0.2, 0.03, {crack_to(8.)}), "");
+  EXPECT_EQ(file.finish({"arrested", "notch"}), "");
+  CrackPathFile resumed(directory, 0.03);
+  EXPECT_EQ(resumed.restore(9), "");
+  EXPECT_EQ(content("crack_path.csv"), header + rows_of_step_2);
+  EXPECT_EQ(count("crack_path.pvd", "crack_path_000002.vtp"), 1u);
+  EXPECT_EQ(count("crack_path.pvd", "crack_path_000010.vtp"), 0u);
+  // it remembers what was written last
+  EXPECT_EQ(resumed.add(9, 0.15, 0.025, {crack_to(4.5)}), "");
+  EXPECT_EQ(content("crack_path.csv"), header + rows_of_step_2);
+  EXPECT_EQ(resumed.add(10, 0.2, 0.03, {crack_to(6.)}), "");
+  EXPECT_EQ(count("crack_path.csv", "\n10,"), 2u);
+  EXPECT_EQ(count("crack_path.pvd", "<DataSet "), 2u);
+}
+
+
+
+TEST_F(CrackPathFiles, BeginAnewWhenThereIsNothingToRestore)
+{
+  EXPECT_EQ(file.restore(5), "");
+  EXPECT_EQ(content("crack_path.csv"), header);
+}
+
+
+
+TEST_F(CrackPathFiles, SayWhenTheyCannotBeWritten)
+{
+  CrackPathFile nowhere(directory + "/missing", 0.03);
+  EXPECT_NE(nowhere.add(1, 0., 0., {crack_to(4.)}).find("crack_path.csv"),
+            std::string::npos);
+  EXPECT_NE(nowhere.finish({}), "");
+}
