@@ -10,7 +10,7 @@
 
 A sweep file (scripts/sweep_parts/sweep_file.py has the rules):
 
-    base   = punctured_strip_adaptive.prm
+    base   = punctured_strip.prm
     common = --set "Geometry/Punctured strip/Notch height=6"
     coarse = --set "Mesh/Adaptive levels=1"
     fine   = --set "Mesh/Adaptive levels=2"

@@ -78,6 +78,7 @@ namespace MixedCracks
     {
       accepted,
       failed,     ///< at the smallest step
+      onset,      ///< a crack begins to run, and that was the question
       interrupted ///< the user or the clock asked to stop
     };
 
@@ -150,8 +151,9 @@ namespace MixedCracks
     Checkpoint<dim>          checkpoint;
     std::optional<RunRecord> resumed;
     State                    peak_state;
-    unsigned int             peak_step          = 0;
-    bool                     separated          = false;
+    unsigned int             peak_step = 0;
+    bool                     separated = false;
+    std::string              why_separated;
     unsigned int             n_refinements      = 0; // of the mesh, in all
     unsigned int             n_imbalanced_steps = 0;
     std::string              case_in_words;

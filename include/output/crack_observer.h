@@ -54,8 +54,9 @@ namespace MixedCracks
 
     void take_back(const DamageOrigins &earlier);
 
-    /// Write the paths of an accepted step. Throws FileError.
-    void record(unsigned int                 step,
+    /// Write the paths of an accepted step; true when they separate the body.
+    /// Throws FileError.
+    bool record(unsigned int                 step,
                 double                       time,         // s
                 double                       displacement, // mm
                 const LinearAlgebra::Vector &phase_field);

@@ -21,12 +21,12 @@ namespace MixedCracks
     /// connection; "none": there is no crack; "other": a connection in a body
     /// without a hole, or one that does not pass the hole.
     std::string path = "none";
-    /// Of the cracks that make the connection, or else of the longest crack:
-    /// "notch" when one of them starts there; or else "corner top left" and
-    /// the like when the first of them starts within 3 l of where two sides
-    /// meet; "interior" when that one has grown both ways; the name of the
-    /// boundary it starts at, "hole" included; "elsewhere" in the material;
-    /// "none" without a crack.
+    /// Of the cracks that make the connection, or else of the longest crack,
+    /// the end at which damage came first (without nuclei: "notch" when one of
+    /// them starts there, else the start of the longest): "notch", "hole" or
+    /// the name of another boundary, "corner top left" and the like within 3 l
+    /// of where two sides meet, "interior" for a crack that has grown both
+    /// ways, "elsewhere" in the material; "none" without a crack.
     std::string start = "none";
   };
 

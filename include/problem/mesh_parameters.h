@@ -26,7 +26,7 @@ namespace MixedCracks
     /// scales.
     double refinement_margin = 3.;
     /// The same straight ahead of a tip, in length scales.
-    double refinement_lookahead = 12.;
+    double refinement_lookahead = 16.;
 
     /// Enters the subsection itself.
     void add_parameters(dealii::ParameterHandler &prm);

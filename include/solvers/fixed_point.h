@@ -39,7 +39,7 @@ namespace MixedCracks
     Vector next(const Vector &x, const Vector &image);
 
     /// Whether the last iterates left a state that plain iterations run away
-    /// from: there is no stable one nearby.
+    /// from: there is no stable one nearby. Never when long steps are off.
     bool
     runs_away() const
     {

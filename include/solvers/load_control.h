@@ -18,6 +18,8 @@ namespace MixedCracks
     double      smallest_step              = 1e-4;
     double      largest_phase_field_change = 0.3;
     double      stop_fraction              = 0.;
+    bool        stop_at_onset              = false;
+    bool        stop_when_separated        = false;
     std::string force_boundary;
 
     /// Enters the subsection itself.
@@ -37,6 +39,7 @@ namespace MixedCracks
     {
       accept,
       repeat, ///< with the smaller step that is set now
+      onset,  ///< a crack begins to run, and the run is to end there
       give_up ///< the smallest step failed
     };
 
@@ -53,7 +56,8 @@ namespace MixedCracks
     }
 
     /// The bound on the change of the phase field that holds for the present
-    /// step; infinity at the onset step and below.
+    /// step; infinity at the onset step and below, unless the run is to end
+    /// there.
     double phase_field_bound() const;
 
     /// Judge the step that was tried.
@@ -92,6 +96,8 @@ namespace MixedCracks
                  unsigned int steps_to_wait);
 
   private:
+    bool is_onset_step() const;
+
     void limit_step();
 
     LoadParameters parameters;

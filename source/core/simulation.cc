@@ -257,6 +257,9 @@ namespace MixedCracks
           log.line("  rejected: " + why_rejected(outcome));
           crack_observer.take_back(origins);
           break;
+        case LoadControl::Verdict::onset:
+          log.line("  onset: " + why_rejected(outcome));
+          return Progress::onset;
         case LoadControl::Verdict::give_up:
           log.line("  failed at the smallest step: " + outcome.reason);
           return Progress::failed;

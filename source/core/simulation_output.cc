@@ -73,9 +73,13 @@ namespace MixedCracks
       peak_state = state;
       peak_step  = row.step;
     }
-    separated = load_control.is_separated(row.force_size());
-    crack_observer.record(
+    const bool joined = crack_observer.record(
       row.step, row.time, row.displacement, state.phase_field);
+    if (parameters.load.stop_when_separated && joined)
+      why_separated = "the cracks join two sides";
+    if (load_control.is_separated(row.force_size()))
+      why_separated = "the force fell below the given fraction of its peak";
+    separated = !why_separated.empty();
     write_fields_when_due(state);
     scope.reset(); // a checkpoint has its own
     const unsigned int every = parameters.output.checkpoint_every;
@@ -144,9 +148,10 @@ namespace MixedCracks
       outcome = {3,
                  "the smallest load step failed; the last accepted state is "
                  "written"};
+    else if (progress == Progress::onset)
+      outcome.reason = "onset: the next step makes a crack run";
     else if (separated)
-      outcome.reason = "separated: the force fell below the given fraction of "
-                       "its peak";
+      outcome.reason = "separated: " + why_separated;
     else
       outcome.reason = "end time reached";
     Summary summary = summarize(outcome);

@@ -17,10 +17,6 @@ namespace MixedCracks
 
   namespace
   {
-    // Distance of the mean of the damage around a node from it, over the radius
-    // looked at: 1/2 at the tip of a line, 0 within one.
-    constexpr double one_sided = 0.3;
-
     // Points sorted into boxes, so that those near a place are found quickly.
     template <int dim>
     class PointGrid
@@ -41,18 +37,28 @@ namespace MixedCracks
           center, distance, [](const Point<dim> &) { return true; });
       }
 
-      // of the points within that distance; the center itself without any
-      Point<dim>
-      mean_within(const Point<dim> &center, const double distance) const
+      // The unit vector that points out of the damage at a node, if that is a
+      // tip: where the points within that distance reach farther back than
+      // to the sides. Otherwise 0, as where a band only widens.
+      Tensor<1, dim>
+      forward_of_tip(const Point<dim> &node, const double distance) const
       {
-        Tensor<1, dim> sum;
-        unsigned int   n = 0;
-        any_within(center, distance, [&](const Point<dim> &point) {
-          sum += point - center;
-          ++n;
+        Tensor<1, dim> forward;
+        any_within(node, distance, [&](const Point<dim> &point) {
+          forward += node - point;
           return false;
         });
-        return n > 0 ? center + sum / n : center;
+        if (forward.norm() < 1e-6 * distance)
+          return Tensor<1, dim>();
+        forward /= forward.norm();
+        double back = 0., beside = 0.;
+        any_within(node, distance, [&](const Point<dim> &point) {
+          const double along = (node - point) * forward;
+          back               = std::max(back, along);
+          beside = std::max(beside, ((node - point) - along * forward).norm());
+          return false;
+        });
+        return back > beside ? forward : Tensor<1, dim>();
       }
 
     private:
@@ -166,30 +172,64 @@ namespace MixedCracks
 
 
 
-    // Points ahead of the tips that have come to coarse cells. There the
-    // damage lies to one side, behind; where a band only widens it does not.
+    // The nodes around one tip, and the unit vectors that point out of the
+    // damage there.
+    template <int dim>
+    struct Tip
+    {
+      std::vector<Point<dim>> nodes;
+      Tensor<1, dim>          forward; // their sum
+
+      Point<dim>
+      foremost() const
+      {
+        return *std::max_element(
+          nodes.begin(), nodes.end(), [&](const auto &a, const auto &b) {
+            return (a - b) * forward < 0.;
+          });
+      }
+    };
+
+
+
+    template <int dim>
+    std::vector<Tip<dim>>
+    tips_at_coarse_cells(const DamagedNodes<dim> &nodes, const double distance)
+    {
+      const PointGrid<dim>  grid(nodes.all, distance);
+      std::vector<Tip<dim>> tips;
+      for (const Point<dim> &node : nodes.at_coarse_cells)
+      {
+        const Tensor<1, dim> forward = grid.forward_of_tip(node, distance);
+        if (forward.norm() == 0.)
+          continue;
+        auto tip = std::find_if(tips.begin(), tips.end(), [&](const auto &t) {
+          return t.nodes.front().distance(node) < distance;
+        });
+        if (tip == tips.end())
+          tip = tips.insert(tips.end(), Tip<dim>());
+        tip->nodes.push_back(node);
+        tip->forward += forward;
+      }
+      return tips;
+    }
+
+
+
+    // places ahead of the tips that have come to coarse cells
     template <int dim>
     std::vector<Point<dim>>
     points_ahead(const DamagedNodes<dim> &nodes, const AdaptationRule &rule)
     {
-      const double            spacing = rule.margin + nodes.largest_diameter;
-      const PointGrid<dim>    grid(nodes.all, spacing);
-      std::vector<Point<dim>> ahead, tips;
-      for (const Point<dim> &node : nodes.at_coarse_cells)
-      {
-        const auto is_near = [&](const Point<dim> &tip) {
-          return tip.distance(node) < spacing;
-        };
-        if (std::any_of(tips.begin(), tips.end(), is_near))
-          continue;
-        tips.push_back(node);
-        const Tensor<1, dim> forward = node - grid.mean_within(node, spacing);
-        if (forward.norm() < one_sided * spacing)
-          continue;
-        for (double s = spacing; s < rule.lookahead + spacing; s += spacing)
-          ahead.push_back(node + std::min(s, rule.lookahead) *
-                                   (forward / forward.norm()));
-      }
+      const double            distance = rule.margin + nodes.largest_diameter;
+      const double            step = rule.margin > 0. ? rule.margin : distance;
+      std::vector<Point<dim>> ahead;
+      for (const Tip<dim> &tip : tips_at_coarse_cells(nodes, distance))
+        if (tip.forward.norm() > 0.)
+          for (double s = step; s < rule.lookahead + step; s += step)
+            ahead.push_back(tip.foremost() + std::min(s, rule.lookahead) *
+                                               tip.forward /
+                                               tip.forward.norm());
       return ahead;
     }
   } // namespace

@@ -260,17 +260,25 @@ namespace MixedCracks
 
 
   template <int dim>
-  void
+  bool
   CrackObserver<dim>::record(const unsigned int step,
                              const double       time,
                              const double       displacement,
                              const Vector      &phase_field)
   {
-    const std::vector<Crack> cracks = trace(phase_field, boundary_edges());
-    std::string              message;
+    const std::vector<BoundaryEdge> edges    = boundary_edges();
+    const std::vector<Crack>        cracks   = trace(phase_field, edges);
+    int                             is_apart = 0;
+    std::string                     message;
     if (file)
-      message = file->add(step, time, displacement, cracks);
+    {
+      const std::string path =
+        classify(cracks, edges, damage_origins.nuclei(), length_scale).path;
+      is_apart = path != "none" && path != "arrested";
+      message  = file->add(step, time, displacement, cracks);
+    }
     throw_on_all_ranks(message, fields.communicator());
+    return Utilities::MPI::max(is_apart, fields.communicator()) > 0;
   }
 
 

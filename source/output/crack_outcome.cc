@@ -169,6 +169,37 @@ namespace MixedCracks
 
 
 
+    // the first of the nuclei that lies on one of the cracks
+    const Point<2> *
+    first_nucleus(const std::vector<Crack>    &cracks,
+                  const Group                 &group,
+                  const std::vector<Point<2>> &nuclei,
+                  const double                 distance)
+    {
+      for (const Point<2> &nucleus : nuclei)
+        for (const unsigned int c : group)
+          if (distance_to(cracks[c], nucleus) < distance)
+            return &nucleus;
+      return nullptr;
+    }
+
+
+
+    const Crack &
+    first_crack(const std::vector<Crack> &cracks,
+                const Group              &group,
+                const Point<2>           *nucleus)
+    {
+      const auto comes_later = [&](const unsigned int a, const unsigned int b) {
+        return nucleus != nullptr ? distance_to(cracks[a], *nucleus) >
+                                      distance_to(cracks[b], *nucleus)
+                                  : cracks[a].length < cracks[b].length;
+      };
+      return cracks[*std::max_element(group.begin(), group.end(), comes_later)];
+    }
+
+
+
     std::string
     start_of(const std::vector<Crack>        &cracks,
              const Group                     &group,
@@ -176,25 +207,25 @@ namespace MixedCracks
              const std::vector<Point<2>>     &nuclei,
              const double                     length_scale)
     {
-      const Crack *first = &cracks[group.front()];
-      for (const unsigned int c : group)
-      {
-        const Crack &crack = cracks[c];
-        if (crack.start.name == "notch")
-          return "notch";
-        if (nuclei.empty() ? crack.length > first->length
-                           : distance_to(crack, nuclei.front()) <
-                               distance_to(*first, nuclei.front()))
-          first = &crack;
-      }
-      if (first->from_interior)
+      const double    near    = 3. * length_scale;
+      const Point<2> *nucleus = first_nucleus(cracks, group, nuclei, near);
+      if (nucleus == nullptr)
+        for (const unsigned int c : group)
+          if (cracks[c].start.name == "notch")
+            return "notch";
+      const Crack &first = first_crack(cracks, group, nucleus);
+      // a crack that came from elsewhere may have reached the notch
+      const bool from_end = nucleus != nullptr &&
+                            first.points.back().distance(*nucleus) < near &&
+                            first.points.front().distance(*nucleus) >= near;
+      if (first.from_interior && !from_end)
         return "interior";
-      const std::string corner =
-        corner_near(edges, first->points.front(), 3. * length_scale);
+      const CrackEnd   &end    = from_end ? first.end : first.start;
+      const std::string corner = corner_near(
+        edges, from_end ? first.points.back() : first.points.front(), near);
       if (!corner.empty())
         return corner;
-      return first->start.kind == CrackEnd::Kind::boundary ? first->start.name
-                                                           : "elsewhere";
+      return end.kind == CrackEnd::Kind::boundary ? end.name : "elsewhere";
     }
   } // namespace
 

@@ -68,7 +68,10 @@ namespace MixedCracks
   {
     for (const Point<2> &node : nodes)
     {
-      if (distance(node) >= reach)
+      const double from_known = distance(node);
+      if (from_known == 0.)
+        continue;
+      if (from_known >= reach)
         found.push_back(node);
       else if (!initial_has_grown && !initial.empty())
       {

@@ -160,7 +160,8 @@ namespace MixedCracks
           step *= longest * length / wanted;
       }
     }
-    is_growing = phase == Phase::growing;
+    is_growing = phase == Phase::growing &&
+                 options.largest_acceleration > options.over_relaxation;
     if (is_growing)
     {
       step = difference;

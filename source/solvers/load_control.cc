@@ -79,6 +79,20 @@ namespace MixedCracks
       "The run ends when the reaction force on the force boundary is below "
       "this fraction of its peak; 0: off. Unit: 1.",
       Double(0., 1.));
+    prm.add_parameter(
+      "Stop at onset",
+      stop_at_onset,
+      "The run ends, with the last accepted step, where a crack "
+      "begins to run: when the phase field changes by more than "
+      "its bound in an onset step. For the load at onset alone.",
+      dealii::Patterns::Bool());
+    prm.add_parameter(
+      "Stop when separated",
+      stop_when_separated,
+      "The run ends when cracks (2-d: those of crack_path.csv), "
+      "with the hole or without, join two sides of the body or "
+      "its notch and a side, whatever force is left.",
+      dealii::Patterns::Bool());
     prm.add_parameter("Force boundary",
                       force_boundary,
                       "Name of the boundary whose reaction force is reported; "
@@ -96,6 +110,10 @@ namespace MixedCracks
     require_order("Onset step", onset_step, "Largest step", largest_step);
     require_order("Smallest step", smallest_step, "First step", first_step);
     require_order("First step", first_step, "Largest step", largest_step);
+    if (stop_at_onset && largest_phase_field_change == 0.)
+      throw InputError("Load stepping/Stop at onset is true, but Load "
+                       "stepping/Largest phase-field change is 0: without a "
+                       "bound there is no onset; allowed is a bound above 0.");
     if (stop_fraction >= 1.)
       throw InputError("Load stepping/Stop when force falls below: found " +
                        std::to_string(stop_fraction) +
@@ -125,9 +143,17 @@ namespace MixedCracks
   LoadControl::phase_field_bound() const
   {
     const bool bounded = parameters.largest_phase_field_change > 0. &&
-                         time_step > parameters.onset_step * (1. + rounding);
+                         (parameters.stop_at_onset || !is_onset_step());
     return bounded ? parameters.largest_phase_field_change
                    : std::numeric_limits<double>::infinity();
+  }
+
+
+
+  bool
+  LoadControl::is_onset_step() const
+  {
+    return time_step <= parameters.onset_step * (1. + rounding);
   }
 
 
@@ -154,6 +180,8 @@ namespace MixedCracks
       limit_step();
       return Verdict::accept;
     }
+    if (converged && is_onset_step() && parameters.stop_at_onset)
+      return Verdict::onset;
     ++rejected;
     if (converged)
     {

@@ -64,6 +64,33 @@ namespace
                           dealii::ScalarFunctionFromFunctionObject<dim>(value));
     }
 
+    // as a run does it, one level
+    bool
+    flag(const Vector &values)
+    {
+      const auto places = places_to_refine(fields, values, rule);
+      return !places.empty() && flag_cells_near(places, rule, triangulation);
+    }
+
+    // and to the end
+    void
+    refine_around(const Vector &values)
+    {
+      const auto places = places_to_refine(fields, values, rule);
+      while (flag_cells_near(places, rule, triangulation))
+        refine_and_transfer(triangulation, fields, constraints, {}, {});
+    }
+
+    unsigned int
+    level_at(const Point<dim> &point) const
+    {
+      int level = -1;
+      for (const auto &cell : triangulation.active_cell_iterators())
+        if (cell->is_locally_owned() && cell->point_inside(point))
+          level = std::max(level, cell->level());
+      return dealii::Utilities::MPI::max(level, MPI_COMM_WORLD);
+    }
+
     unsigned int
     n_flagged() const
     {
@@ -90,11 +117,7 @@ namespace
 
 TEST_F(AdaptiveSquare, LeavesAnIntactBodyAlone)
 {
-  EXPECT_FALSE(
-    flag_damaged_cells(fields,
-                       phase_field([](const Point<dim> &) { return 1.; }),
-                       rule,
-                       triangulation));
+  EXPECT_FALSE(flag(phase_field([](const Point<dim> &) { return 1.; })));
   EXPECT_EQ(n_flagged(), 0u);
 }
 
@@ -104,8 +127,7 @@ TEST_F(AdaptiveSquare, FlagsTheCellsAroundTheCrack)
 {
   // damaged are the nodes on y = 0.5 and, at a distance of 1/8, those with
   // phi = 0.5: cells that touch them
-  EXPECT_TRUE(
-    flag_damaged_cells(fields, phase_field(cracked), rule, triangulation));
+  EXPECT_TRUE(flag(phase_field(cracked)));
   for (const auto &cell : triangulation.active_cell_iterators())
     if (cell->is_locally_owned())
     {
@@ -122,13 +144,53 @@ TEST_F(AdaptiveSquare, FlagsTheCellsAroundTheCrack)
 
 TEST_F(AdaptiveSquare, TakesTheMarginAhead)
 {
-  flag_damaged_cells(fields, phase_field(cracked), rule, triangulation);
+  flag(phase_field(cracked));
   const unsigned int without = n_flagged();
   for (const auto &cell : triangulation.active_cell_iterators())
     cell->clear_refine_flag();
   rule.margin = 0.25;
-  flag_damaged_cells(fields, phase_field(cracked), rule, triangulation);
+  flag(phase_field(cracked));
   EXPECT_GT(n_flagged(), without + 8);
+}
+
+
+
+TEST_F(AdaptiveSquare, LooksAheadOfTheTip)
+{
+  rule.finest_level = 2;
+  rule.margin       = 0.1;
+  rule.lookahead    = 0.15;
+  refine_around(phase_field(cracked));
+  // straight ahead of the tip at (0.5, 0.5), as fine as at the crack
+  for (const double x : {0.26, 0.49, 0.6, 0.7, 0.76})
+  {
+    EXPECT_EQ(level_at({x, 0.49}), 2u) << x;
+    EXPECT_EQ(level_at({x, 0.51}), 2u) << x;
+  }
+  // beside that line and beyond its end they are coarse, but for balance
+  EXPECT_EQ(level_at({0.7, 0.9}), 0u);
+  EXPECT_EQ(level_at({0.7, 0.1}), 0u);
+  EXPECT_LE(level_at({0.97, 0.51}), 1u);
+}
+
+
+
+TEST_F(AdaptiveSquare, DoesNotLookAheadOfABandThatWidens)
+{
+  rule.margin    = 0.25;
+  rule.lookahead = 0.3;
+  // through the whole body: there is no tip
+  const auto cut = [](const Point<dim> &p) {
+    return std::min(1., 5. * std::abs(p[1] - 0.5));
+  };
+  const Vector values = phase_field(cut);
+  const auto   places = places_to_refine(fields, values, rule);
+  for (const Point<dim> &place : places)
+    // what lies outside the body refines nothing
+    if (place[0] >= 0. && place[0] <= 1.)
+    {
+      EXPECT_LT(std::abs(place[1] - 0.5), 0.2) << place;
+    }
 }
 
 
@@ -137,7 +199,7 @@ TEST_F(AdaptiveSquare, EndsWhenDamagedCellsAreFineEnough)
 {
   rule.finest_level   = 3;
   unsigned int rounds = 0;
-  while (flag_damaged_cells(fields, phase_field(cracked), rule, triangulation))
+  while (flag(phase_field(cracked)))
   {
     refine_and_transfer(triangulation, fields, constraints, {}, {});
     ASSERT_LE(++rounds, 3u);
@@ -165,7 +227,7 @@ TEST_F(AdaptiveSquare, CarriesTheFieldsOverExactly)
     return 0.3 * p[0] + 0.5 * p[1];
   };
   Vector other = phase_field(linear);
-  while (flag_damaged_cells(fields, phi, rule, triangulation))
+  while (flag(phi))
     refine_and_transfer(
       triangulation, fields, constraints, {&elastic}, {&phi, &other});
   EXPECT_GT(triangulation.n_global_active_cells(), 64u);

@@ -129,3 +129,16 @@ TEST(CrackOutcome, TheFirstNucleusTellsWhichCrackIsTheFirst)
   EXPECT_EQ(outcome({onward, from_left}, true, {{8.1, 3.}, {0., 3.}}).start,
             "hole");
 }
+
+
+
+TEST(CrackOutcome, ACrackFromTheHoleMayReachTheNotch)
+{
+  EXPECT_EQ(outcome({to_hole, onward}, true, {{6., 3.}, {8., 3.}}).start,
+            "hole");
+  EXPECT_EQ(outcome({to_hole, onward}, true, {{3., 3.}, {8., 3.}}).start,
+            "notch");
+  // what has become of no crack does not count
+  EXPECT_EQ(outcome({to_hole, onward}, true, {{8., 9.}, {3., 3.}}).start,
+            "notch");
+}

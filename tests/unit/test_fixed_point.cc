@@ -114,6 +114,34 @@ TEST(FixedPoint, LeavesAnUnstableState)
 
 
 
+TEST(FixedPoint, SaysWhenItRunsAway)
+{
+  const auto repelling = [](const unsigned int, const double x) {
+    return x + 0.1 * x;
+  };
+  const auto attracting = [](const unsigned int, const double x) {
+    return 0.9 * x;
+  };
+  for (const bool away : {true, false})
+  {
+    FixedPointAcceleration acceleration(accelerated);
+    auto x    = distributed(std::vector<double>(n_unknowns, 0.1));
+    bool seen = false;
+    for (unsigned int k = 0; k < 5; ++k)
+    {
+      const auto image =
+        away ? image_of(repelling, x) : image_of(attracting, x);
+      x    = acceleration.next(x, image);
+      seen = seen || acceleration.runs_away();
+    }
+    EXPECT_EQ(seen, away);
+    acceleration.restart();
+    EXPECT_FALSE(acceleration.runs_away());
+  }
+}
+
+
+
 // A front that moves by one unknown per iteration: steps have nothing to do
 // with each other, and must not be made shorter than without acceleration
 TEST(FixedPoint, DoesNotSlowDownAFront)

@@ -234,3 +234,30 @@ TEST(LoadControl, RefusesStepsInTheWrongOrder)
   for (const LoadParameters &each : wrong)
     EXPECT_THROW(each.check(), InputError);
 }
+
+
+
+TEST(LoadControl, EndsAtTheOnsetWhenThatIsTheQuestion)
+{
+  LoadParameters values = parameters();
+  values.stop_at_onset  = true;
+  LoadControl control(values);
+  EXPECT_EQ(control.judge(true, 0.01), Verdict::accept);
+  for (unsigned int i = 0; i < 4; ++i)
+    EXPECT_EQ(control.judge(true, 0.9), Verdict::repeat);
+  EXPECT_DOUBLE_EQ(control.step(), 0.1);
+  EXPECT_DOUBLE_EQ(control.phase_field_bound(), 0.3);
+  EXPECT_EQ(control.judge(true, 0.2), Verdict::accept);
+  EXPECT_EQ(control.judge(true, 0.4), Verdict::onset);
+  EXPECT_DOUBLE_EQ(time_reached(control), 0.6);
+}
+
+
+
+TEST(LoadControl, NoOnsetWithoutABound)
+{
+  LoadParameters values             = parameters();
+  values.stop_at_onset              = true;
+  values.largest_phase_field_change = 0.;
+  EXPECT_THROW(values.check(), InputError);
+}

@@ -213,6 +213,25 @@ TEST(Newton, StopsAtTheRelativeTolerance)
 
 
 
+TEST(Newton, TakesAnyReductionAfterEnoughIterations)
+{
+  // an old matrix that reduces the residual by a half
+  ScalarProblem problem = kinked(2.);
+  problem.x             = 1.;
+  problem.keeps_old_one = true;
+  problem.slope         = 2.;
+  NewtonOptions options;
+  options.required_reduction  = 0.9;
+  options.relative_tolerance  = 1e-3;
+  options.enough_iterations   = 3;
+  const NewtonOutcome outcome = problem.solve(options);
+  EXPECT_TRUE(outcome.converged);
+  EXPECT_EQ(outcome.iterations, 3u);
+  EXPECT_NEAR(outcome.last.largest(), 0.125, 1e-12);
+}
+
+
+
 TEST(Newton, JudgesTheLargerOfBothResiduals)
 {
   unsigned int  n_moves = 0;

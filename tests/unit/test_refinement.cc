@@ -102,7 +102,7 @@ TEST(Refinement, SurroundingsOfPointsAndPieces)
   const std::array<dealii::Point<2>, 2> top = {
     {dealii::Point<2>(0., 1.), dealii::Point<2>(1., 1.)}};
   refine_globally_and_in_regions<2>(
-    triangulation, 0, {{}, {{{{center, center}}, 0.15, 2}, {{top}, 0.1, 1}}});
+    triangulation, 0, {{}, {{{{{center, center}}}, 0.15, 2}, {{top}, 0.1, 1}}});
   for (const auto &cell : triangulation.active_cell_iterators())
   {
     const double from_center = cell->center().distance(center);
@@ -179,4 +179,25 @@ TEST(MeshParameters, Refusals)
   expect_refused("0,0 : 1,x : 1", "x");
   EXPECT_NE(problem("", 2).find("Mesh/Adaptive levels is 2"),
             std::string::npos);
+}
+
+
+
+TEST(RefinedRegions, ReadsDiscsAndSurroundings)
+{
+  RefinedRegions<2> regions;
+  regions.discs        = "12, 18 : 5.5 : 1";
+  regions.surroundings = "notch tip : 1.5 : 3 ; hole:1:2";
+  regions.check(1, {}, {"hole", "notch tip"});
+  const auto discs = regions.refined_discs();
+  ASSERT_EQ(discs.size(), 1u);
+  EXPECT_EQ(discs[0].center, dealii::Point<2>(12., 18.));
+  EXPECT_EQ(discs[0].radius, 5.5);
+  EXPECT_EQ(discs[0].levels, 1u);
+  const auto surroundings = regions.refined_surroundings();
+  ASSERT_EQ(surroundings.size(), 2u);
+  EXPECT_EQ(surroundings[0].name, "notch tip");
+  EXPECT_EQ(surroundings[0].distance, 1.5);
+  EXPECT_EQ(surroundings[0].levels, 3u);
+  EXPECT_EQ(surroundings[1].name, "hole");
 }

@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// Where damage was seen first.
+#include <output/damage_origins.h>
+
+#include <gtest/gtest.h>
+
+using namespace MixedCracks;
+using dealii::Point;
+
+namespace
+{
+  // a notch from (0, 0) to (1, 0), nodes 0.1 apart
+  DamageOrigins
+  notched()
+  {
+    std::vector<Point<2>> nodes;
+    for (unsigned int i = 0; i <= 10; ++i)
+      nodes.push_back({0.1 * i, 0.});
+    DamageOrigins origins(0.9);
+    origins.add_initial(nodes);
+    return origins;
+  }
+} // namespace
+
+
+
+TEST(DamageOrigins, TheNotchItselfIsNone)
+{
+  DamageOrigins origins = notched();
+  EXPECT_TRUE(origins.nuclei().empty());
+  // its profile settles
+  origins.add({{1.1, 0.}, {0.5, 0.1}});
+  EXPECT_TRUE(origins.nuclei().empty());
+}
+
+
+
+TEST(DamageOrigins, GrowthOfTheNotchStartsAtItsTip)
+{
+  DamageOrigins origins = notched();
+  for (unsigned int i = 1; i < 40; ++i)
+    origins.add({{1. + 0.1 * i, 0.02 * i}});
+  ASSERT_EQ(origins.nuclei().size(), 1u);
+  EXPECT_LT(origins.nuclei()[0].distance(Point<2>(1., 0.)), 1e-12);
+}
+
+
+
+TEST(DamageOrigins, DamageElsewhereIsAnotherOneInTheOrderOfTime)
+{
+  DamageOrigins origins = notched();
+  origins.add({{8., 3.}});
+  origins.add({{8.1, 3.}, {1.5, 0.}});
+  origins.add({{8.2, 3.}, {1.9, 0.}, {8.9, 3.3}});
+  ASSERT_EQ(origins.nuclei().size(), 2u);
+  EXPECT_LT(origins.nuclei()[0].distance(Point<2>(8., 3.)), 1e-12);
+  EXPECT_LT(origins.nuclei()[1].distance(Point<2>(1., 0.)), 1e-12);
+}
+
+
+
+TEST(DamageOrigins, ACopyTakesARejectedStepBack)
+{
+  DamageOrigins       origins = notched();
+  const DamageOrigins before  = origins;
+  origins.add({{5., 5.}});
+  EXPECT_EQ(origins.nuclei().size(), 1u);
+  origins = before;
+  EXPECT_TRUE(origins.nuclei().empty());
+  origins.add({{5., 5.}});
+  EXPECT_EQ(origins.nuclei().size(), 1u);
+}
+
+
+
+TEST(DamageOrigins, ContinuesWithWhatWasFound)
+{
+  DamageOrigins origins = notched();
+  origins.restore({{1., 0.}});
+  origins.add({{1.5, 0.}});
+  EXPECT_EQ(origins.nuclei().size(), 1u);
+}
