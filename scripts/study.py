@@ -5,6 +5,7 @@
     scripts/study.py curves  SWEEP_DIR --output curves.svg --per-thickness
     scripts/study.py cracks  SWEEP_DIR --output cracks.png
     scripts/study.py compare SWEEP_DIR peaks.csv --output peaks.md
+    scripts/study.py paths   RUN_DIR OTHER_RUN_DIR
 
 curves: force over displacement of all runs; runs whose names differ in the last
 word (fine_1, fine_2) share a colour. --reference takes CSV files with columns
@@ -15,6 +16,8 @@ the run has written a crack_path.csv.
 
 compare: peak displacement and force beside those of a CSV file with columns
 name, displacement_mm, force_N_per_mm; lines with # are comments.
+
+paths: how far the crack paths of two runs lie apart at the end.
 
 Needs matplotlib and numpy (Debian: python3-matplotlib), and no display.
 Exit status: 0; 2 for wrong input or usage.
@@ -34,8 +37,13 @@ def read_arguments():
     all_kinds = {}
     for kind, text in (("curves", "force over displacement of all runs"),
                        ("cracks", "phase field at the end of every run"),
-                       ("compare", "peaks beside reference values")):
+                       ("compare", "peaks beside reference values"),
+                       ("paths", "distance between the crack paths of two runs")):
         all_kinds[kind] = kinds.add_parser(kind, help=text, description=text)
+        if kind == "paths":
+            all_kinds[kind].add_argument("directory", metavar="RUN_DIR")
+            all_kinds[kind].add_argument("other", metavar="OTHER_RUN_DIR")
+            continue
         all_kinds[kind].add_argument("directory", metavar="SWEEP_DIR",
                                      help="directory that sweep.py wrote")
         if kind == "compare":
@@ -66,8 +74,13 @@ def main():
     arguments = read_arguments()
     import matplotlib
     matplotlib.use("Agg")
-    from sweep_parts import studies, study_compare, study_cracks, study_curves
+    from sweep_parts import (studies, study_compare, study_cracks, study_curves,
+                             study_paths)
     try:
+        if arguments.kind == "paths":
+            sys.stdout.write(study_paths.written(arguments.directory,
+                                                 arguments.other))
+            return 0
         runs = studies.runs_of(arguments.directory, arguments.only)
         if arguments.kind == "curves":
             study_curves.write(runs, arguments.output, arguments.title,

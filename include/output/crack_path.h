@@ -21,13 +21,20 @@ namespace MixedCracks
   };
 
   /// A straight piece of the boundary of the body, between two vertices. All
-  /// edges named "notch" must be passed, and the edges where the notch begins;
-  /// of the others, those within some l of the cells.
+  /// edges of a notch or slit must be passed, and the edges where the notch
+  /// begins; of the others, those within some l of the cells.
   struct BoundaryEdge
   {
     dealii::Point<2> begin, end; ///< mm
     std::string      name;       ///< "left", "right", ..., "hole", "notch"
   };
+
+  /// Whether that is the name of a notch or slit, from whose tip cracks start.
+  inline bool
+  is_notch(const std::string &name)
+  {
+    return name == "notch" || name == "slit";
+  }
 
   /// What trace_cracks() takes for a crack. l is the length scale.
   struct CrackPathOptions

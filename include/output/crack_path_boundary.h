@@ -37,6 +37,13 @@ namespace MixedCracks
   public:
     explicit BodyBoundary(const std::vector<BoundaryEdge> &edges);
 
+    /// "notch" or "slit".
+    std::string
+    notch_name() const
+    {
+      return notch_edges.empty() ? "" : edges[notch_edges.front()].name;
+    }
+
     /// The nearest place on the notch, or on all the rest.
     BoundaryPlace nearest(const dealii::Point<2> &point, bool notch) const;
 

@@ -17,7 +17,7 @@ namespace MixedCracks
     constexpr double inexact_reduction = 0.05;
     // Where loose pieces make Newton's method crawl, this many of its
     // iterations are enough for one round.
-    constexpr unsigned int inexact_iterations = 3;
+    constexpr unsigned int inexact_iterations = 2;
 
     // A node fell from (nearly) intact to (nearly) broken in one step.
     constexpr double running_crack_change = 0.9;

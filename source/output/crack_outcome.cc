@@ -17,7 +17,7 @@ namespace MixedCracks
     bool
     is_side(const std::string &name)
     {
-      return name != "hole" && name != "notch";
+      return name != "hole" && !is_notch(name);
     }
 
 
@@ -211,8 +211,8 @@ namespace MixedCracks
       const Point<2> *nucleus = first_nucleus(cracks, group, nuclei, near);
       if (nucleus == nullptr)
         for (const unsigned int c : group)
-          if (cracks[c].start.name == "notch")
-            return "notch";
+          if (is_notch(cracks[c].start.name))
+            return cracks[c].start.name;
       const Crack &first = first_crack(cracks, group, nucleus);
       // a crack that came from elsewhere may have reached the notch
       const bool from_end = nucleus != nullptr &&

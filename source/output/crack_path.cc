@@ -31,7 +31,7 @@ namespace MixedCracks
     {
       if (end.kind == CrackEnd::Kind::crack)
         return 8;
-      if (end.name == "notch")
+      if (is_notch(end.name))
         return 6;
       return (end.kind == CrackEnd::Kind::boundary ? 2 : 0) +
              (is_nucleus_near(problem, point) ? 1 : 0);
@@ -87,11 +87,11 @@ namespace MixedCracks
       const Tensor<1, 2> chord = backwards.back() - start;
       Tensor<1, 2>       reference;
       const NotchTip *tip = problem.boundary.tip_near(start, 0.1 * problem.h);
-      if (crack.start.name == "notch" && tip)
+      if (is_notch(crack.start.name) && tip)
         reference = tip->direction;
       else
         reference = problem.boundary.normal(
-          problem.boundary.nearest(start, crack.start.name == "notch"),
+          problem.boundary.nearest(start, is_notch(crack.start.name)),
           backwards.back());
       return std::atan2(reference[0] * chord[1] - reference[1] * chord[0],
                         reference * chord) *

@@ -55,7 +55,7 @@ namespace MixedCracks
     : edges(all)
   {
     for (unsigned int e = 0; e < edges.size(); ++e)
-      (edges[e].name == "notch" ? notch_edges : other_edges).push_back(e);
+      (is_notch(edges[e].name) ? notch_edges : other_edges).push_back(e);
     if (!notch_edges.empty())
       find_notch_tips();
   }

@@ -201,7 +201,7 @@ namespace MixedCracks
     if (tip)
     {
       end_at_tip(problem, tip->point, points);
-      return {CrackEnd::Kind::boundary, "notch"};
+      return {CrackEnd::Kind::boundary, problem.boundary.notch_name()};
     }
     BoundaryPlace place = advance(problem, points);
     if (place.exists())

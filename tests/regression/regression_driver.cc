@@ -105,6 +105,33 @@ namespace
 
 
 
+  // The outcome, and each crack of the last step.
+  void
+  write_cracks(std::istream &paths, std::ostream &out)
+  {
+    std::string line, names;
+    std::getline(paths, names);
+    std::vector<std::vector<std::string>> rows;
+    while (std::getline(paths, line))
+      if (line.rfind("#", 0) == 0)
+        out << line.substr(2) << '\n';
+      else
+        rows.push_back(cells_of(line));
+    for (std::size_t i = 0; i < rows.size(); ++i)
+      // step, crack, length, tip: the same in all rows of a crack
+      if (rows[i][0] == rows.back()[0] &&
+          (i + 1 == rows.size() || rows[i + 1][3] != rows[i][3]))
+        out << printed("crack %s from '%s' to '%s', mm:\n%.3f\n%.3f\n%.3f\n",
+                       rows[i][3].c_str(),
+                       rows[i][6].c_str(),
+                       rows[i][7].c_str(),
+                       std::stod(rows[i][4]),
+                       std::stod(rows[i][8]),
+                       std::stod(rows[i][9]));
+  }
+
+
+
   void
   run(const std::string &file)
   {
@@ -130,6 +157,8 @@ namespace
     out << "exit status " << outcome.exit_status << ": " << outcome.reason
         << '\n';
     write_comparison(statistics, out);
+    std::ifstream paths("results/crack_path.csv");
+    write_cracks(paths, out);
   }
 } // namespace
 

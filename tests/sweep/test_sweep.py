@@ -306,6 +306,25 @@ class Studies(Case):
             process = self.study("compare", self.path("r.csv"), status=2)
             self.assertIn(word, process.stderr)
 
+    def test_paths(self):
+        header = "step,crack,x_mm,y_mm\n"
+        a, b = self.path("out", "soft_1"), self.path("out", "soft_2")
+        synthetic_run.write(os.path.join(a, "crack_path.csv"),
+                            header + "1,0,0,0\n1,0,4,0\n# outcome: other\n")
+        synthetic_run.write(os.path.join(b, "crack_path.csv"),
+                            header + "1,0,0,1\n1,0,2,0\n1,0,4,0\n# outcome: other\n")
+        process = called(STUDY, "paths", a, b)
+        if "no Python with matplotlib" in process.stderr:
+            self.skipTest("no Python with matplotlib on this machine")
+        self.assertEqual(process.returncode, 0, process.stderr)
+        # (0, 0) lies 2 / sqrt(5) from the slope, (0, 1) lies 1 from the axis
+        self.assertIn("soft_1: at most 0.8944 mm, 0.4472 mm", process.stdout)
+        self.assertIn("soft_2: at most 1 mm, 0.3333 mm", process.stdout)
+        os.remove(os.path.join(b, "crack_path.csv"))
+        process = called(STUDY, "paths", a, b)
+        self.assertEqual(process.returncode, 2)
+        self.assertIn("there is no crack_path.csv", process.stderr)
+
     def test_nothing_to_draw(self):
         shutil.rmtree(self.output)
         self.assertIn("there is no directory", self.study(
