@@ -27,7 +27,11 @@ def run(executable, ranks, refinements, boxes):
                    "--output", directory,
                    "--set", f"Mesh/Global refinements={refinements}",
                    "--set", f"Mesh/Refined boxes={boxes}",
+                   "--set", "Mesh/Refined surroundings=",
+                   "--set", "Mesh/Adaptation=none",
+                   "--set", "Mesh/Adaptive levels=0",
                    "--set", "Load stepping/End time=1.2",
+                   "--set", "Load stepping/Largest step=0.6",
                    "--set", "Output/Checkpoint every=0"]
         environment = dict(os.environ, OMP_NUM_THREADS="1",
                            OMPI_ALLOW_RUN_AS_ROOT="1",
