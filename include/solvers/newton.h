@@ -33,7 +33,7 @@ namespace MixedCracks
     unsigned int max_iterations     = 25;
     /// after so many iterations any reduction is enough; 0: off
     unsigned int enough_iterations = 0;
-    unsigned int max_bisections     = 6; ///< of the line search
+    unsigned int max_bisections    = 6; ///< of the line search
     /// an old matrix is given up when it reduces the residual by less
     double required_reduction = 0.3;
   };

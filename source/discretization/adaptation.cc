@@ -113,7 +113,7 @@ namespace MixedCracks
 
 
 
-    // in an order that does not depend on the number of ranks
+    // each point once, in an order that does not depend on the number of ranks
     template <int dim>
     std::vector<Point<dim>>
     gathered(const std::map<types::global_dof_index, Point<dim>> &own,
@@ -128,6 +128,7 @@ namespace MixedCracks
         return std::lexicographical_compare(
           a.begin_raw(), a.end_raw(), b.begin_raw(), b.end_raw());
       });
+      all.erase(std::unique(all.begin(), all.end()), all.end());
       return all;
     }
 

@@ -136,7 +136,7 @@ class Files(Case):
             self.assertEqual(process.returncode, 0, process.stderr)
             lines = process.stdout.splitlines()
             self.assertEqual(len(lines), len(set(lines)))
-            self.assertGreaterEqual(len(lines), 10)
+            self.assertGreaterEqual(len(lines), 5)
 
 
 class Runs(Case):
