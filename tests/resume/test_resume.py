@@ -14,7 +14,7 @@ import tempfile
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 CASE = ROOT / "parameters" / "epdm" / "punctured_strip.prm"
-COARSE = ["Mesh/Adaptive levels=1",
+COARSE = ["Mesh/Refined surroundings=", "Mesh/Adaptive levels=1",
           "Model/Length scale=1.2", "Model/Coupling tolerance=1e-4",
           "Load stepping/End time=4.2", "Load stepping/Largest step=0.6",
           "Output/Checkpoint every=2"]
