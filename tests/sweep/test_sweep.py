@@ -136,7 +136,9 @@ class Files(Case):
             self.assertEqual(process.returncode, 0, process.stderr)
             lines = process.stdout.splitlines()
             self.assertEqual(len(lines), len(set(lines)))
-            self.assertGreaterEqual(len(lines), 5)
+            self.assertGreaterEqual(len(lines), 2)
+            if os.path.basename(path).startswith("notch_heights"):
+                self.assertEqual(len(lines), 10)
 
 
 class Runs(Case):

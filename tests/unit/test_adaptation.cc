@@ -3,6 +3,7 @@
 #include <deal.II/base/function_lib.h>
 #include <deal.II/base/mpi.h>
 #include <deal.II/grid/grid_generator.h>
+#include <deal.II/grid/grid_tools.h>
 #include <deal.II/numerics/vector_tools.h>
 
 #include <discretization/adaptation.h>
@@ -214,6 +215,28 @@ TEST_F(AdaptiveSquare, EndsWhenDamagedCellsAreFineEnough)
         EXPECT_FALSE(phi(cell->vertex_dof_index(v, 0)) < rule.threshold &&
                      cell->level() < 3);
     }
+}
+
+
+
+// or a load step would ask for finer cells for ever
+TEST_F(AdaptiveSquare, LeavesNoDamagedCellCoarseHoweverDistorted)
+{
+  dealii::GridTools::distort_random(0.35, triangulation, true, 1);
+  fields.distribute();
+  constraints.reinit();
+  const Vector values = phase_field(cracked);
+  for (const auto &place : places_to_refine(fields, values, rule))
+    for (const auto &cell : triangulation.active_cell_iterators())
+      for (const unsigned int v : cell->vertex_indices())
+        if (cell->is_locally_owned() && cell->vertex(v) == place)
+        {
+          for (const auto &other : triangulation.active_cell_iterators())
+            if (other->is_locally_owned())
+              other->clear_refine_flag();
+          flag_cells_near<dim>({place}, rule, triangulation);
+          EXPECT_TRUE(cell->refine_flag_set()) << cell->center();
+        }
 }
 
 
