@@ -130,6 +130,10 @@ namespace MixedCracks
       if (Utilities::MPI::max(own.empty() ? 0 : 1, communicator) > 0)
         for (const auto &part : Utilities::MPI::all_gather(communicator, own))
           all.insert(all.end(), part.begin(), part.end());
+      // in an order that does not depend on the number of ranks
+      std::sort(all.begin(), all.end(), [](const auto &a, const auto &b) {
+        return a[0] != b[0] ? a[0] < b[0] : a[1] < b[1];
+      });
     }
     return all;
   }
