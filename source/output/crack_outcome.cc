@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include <output/crack_outcome.h>
+#include <output/crack_path_parts.h>
 
 #include <algorithm>
 #include <cmath>
@@ -18,26 +19,6 @@ namespace MixedCracks
     is_side(const std::string &name)
     {
       return name != "hole" && !is_notch(name);
-    }
-
-
-
-    double
-    distance_to(const Crack &crack, const Point<2> &point)
-    {
-      double smallest = std::numeric_limits<double>::infinity();
-      for (std::size_t i = 1; i < crack.points.size(); ++i)
-      {
-        const Tensor<1, 2> along  = crack.points[i] - crack.points[i - 1];
-        const double       square = along.norm_square();
-        const double       s =
-          square > 0. ? ((point - crack.points[i - 1]) * along) / square : 0.;
-        smallest =
-          std::min(smallest,
-                   point.distance(crack.points[i - 1] +
-                                  std::min(1., std::max(0., s)) * along));
-      }
-      return smallest;
     }
 
 
@@ -63,7 +44,7 @@ namespace MixedCracks
           if (a != b &&
               ((by_hole && is_at_hole(cracks[a]) && is_at_hole(cracks[b])) ||
                (cracks[a].start.kind == CrackEnd::Kind::crack &&
-                distance_to(cracks[b], cracks[a].points.front()) <
+                distance_to(cracks[b].points, cracks[a].points.front()) <
                   length_scale)))
             merge(a, b);
       std::vector<Group> groups(cracks.size());
@@ -178,7 +159,7 @@ namespace MixedCracks
     {
       for (const Point<2> &nucleus : nuclei)
         for (const unsigned int c : group)
-          if (distance_to(cracks[c], nucleus) < distance)
+          if (distance_to(cracks[c].points, nucleus) < distance)
             return &nucleus;
       return nullptr;
     }
@@ -191,8 +172,8 @@ namespace MixedCracks
                 const Point<2>           *nucleus)
     {
       const auto comes_later = [&](const unsigned int a, const unsigned int b) {
-        return nucleus != nullptr ? distance_to(cracks[a], *nucleus) >
-                                      distance_to(cracks[b], *nucleus)
+        return nucleus != nullptr ? distance_to(cracks[a].points, *nucleus) >
+                                      distance_to(cracks[b].points, *nucleus)
                                   : cracks[a].length < cracks[b].length;
       };
       return cracks[*std::max_element(group.begin(), group.end(), comes_later)];

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include <output/crack_path_file.h>
+#include <output/crack_path_parts.h>
 
 #include <algorithm>
 #include <cmath>
@@ -7,7 +8,6 @@
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
-#include <limits>
 #include <sstream>
 
 namespace MixedCracks
@@ -88,28 +88,6 @@ namespace MixedCracks
       for (std::string column; std::getline(in, column, ',');)
         columns.push_back(column);
       return columns;
-    }
-
-
-
-    // of a point to a polyline
-    double
-    distance(const std::vector<Point<2>> &points, const Point<2> &point)
-    {
-      double smallest = points.empty() ? std::numeric_limits<double>::infinity()
-                                       : points.front().distance(point);
-      for (std::size_t i = 1; i < points.size(); ++i)
-      {
-        const Tensor<1, 2> along  = points[i] - points[i - 1];
-        const double       square = along.norm_square();
-        const double       s =
-          square > 0. ? ((point - points[i - 1]) * along) / square : 0.;
-        smallest =
-          std::min(smallest,
-                   point.distance(points[i - 1] +
-                                  std::min(1., std::max(0., s)) * along));
-      }
-      return smallest;
     }
 
 
@@ -216,10 +194,10 @@ namespace MixedCracks
           points.back().distance(last[c].back()) > tolerance)
         return true;
       for (const Point<2> &point : points)
-        if (distance(last[c], point) > tolerance)
+        if (distance_to(last[c], point) > tolerance)
           return true;
       for (const Point<2> &point : last[c])
-        if (distance(points, point) > tolerance)
+        if (distance_to(points, point) > tolerance)
           return true;
     }
     return false;
