@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include <model/energy_split.h>
+#include <model/spectral_split.h>
 
 #include <deal.II/base/exceptions.h>
 
@@ -146,6 +147,14 @@ namespace MixedCracks
         "(Amor, Marigo and Maurini 2009)",
         [](const int n) -> std::unique_ptr<EnergySplit<dim>> {
           return std::make_unique<VolumetricDeviatoricSplit<dim>>(n);
+        }},
+       {"spectral",
+        "principal strains in tension drive the crack, and so does expansion "
+        "(Miehe, Hofacker and Welschinger 2010); with 'Pressure law = "
+        "degraded bulk' in the displacement formulation this is the energy "
+        "of that paper",
+        [](const int) -> std::unique_ptr<EnergySplit<dim>> {
+          return std::make_unique<SpectralSplit<dim>>();
         }},
        {"volumetric-deviatoric as printed",
         "the coefficients printed by Mang et al. (2021), mu <tr eps> and a "

@@ -7,6 +7,7 @@
 
 using namespace MixedCracks;
 using namespace MixedCracks::Testing;
+using dealii::SymmetricTensor;
 
 namespace
 {
@@ -107,4 +108,51 @@ TYPED_TEST(MaterialEnergyTest, DegradedBulkIsTheClassicalModel)
                     energy.first[dim * dim],
                     1e-14);
       }
+}
+
+
+
+// [Miehe10]: psi+ = lambda/2 <tr eps>^2 + mu eps+ : eps+ with its stress and
+// its driving force; tangents are those of the split, which has its own tests
+TYPED_TEST(MaterialEnergyTest, SpectralWithDegradedBulkIsMiehesModel)
+{
+  constexpr int       dim = TypeParam::value;
+  const Material<dim> material(description("spectral", "degraded bulk", 3));
+  const auto          energies = [](const SymmetricTensor<2, dim> &strain) {
+    std::pair<double, double> result;
+    const double              expansion = trace(strain);
+    (expansion > 0. ? result.first : result.second) +=
+      lambda / 2. * expansion * expansion;
+    for (const double value : eigenvalues(strain))
+      (value > 0. ? result.first : result.second) += mu * value * value;
+    return result;
+  };
+  for (const auto &strain : random_strains<dim>(20))
+    for (const double g : degradations)
+    {
+      const auto [positive, negative] = energies(strain);
+      const double p                  = material.pressure(strain, g);
+      EXPECT_NEAR(material.elastic_energy(strain, p, g),
+                  g * positive + negative,
+                  1e-14 * lambda);
+      EXPECT_NEAR(
+        material.driving_force(strain, p, g), 2. * positive, 1e-14 * lambda);
+      const auto degraded = [&](const SymmetricTensor<2, dim> &x) {
+        const auto [tension, compression] = energies(x);
+        return g * tension + compression;
+      };
+      const double step   = 1e-6;
+      const auto   stress = material.eliminated(strain, g).stress;
+      for (unsigned int i = 0; i < dim; ++i)
+        for (unsigned int j = i; j < dim; ++j)
+        {
+          SymmetricTensor<2, dim> plus = strain, minus = strain;
+          plus[i][j] += step;
+          minus[i][j] -= step;
+          const double moved = (i == j ? 2. : 4.) * step;
+          EXPECT_NEAR(stress[i][j],
+                      (degraded(plus) - degraded(minus)) / moved,
+                      1e-7 * lambda);
+        }
+    }
 }
