@@ -11,12 +11,14 @@
 
 namespace MixedCracks
 {
-  /// Subsection "Initial cracks": where the phase field is 0 at the start, on
-  /// top of the slits of the geometry.
+  /// Subsection "Initial cracks": where the phase field is 0 at the start: on
+  /// the slits of the geometry, unless told otherwise, and on top of them.
   template <int dim>
   struct InitialCracks
   {
     std::string text;
+    /// whether the phase field is 0 on the slits of the geometry
+    bool broken_slits = true;
 
     /// Enters the subsection itself.
     void add_parameters(dealii::ParameterHandler &prm);

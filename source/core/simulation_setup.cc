@@ -170,7 +170,9 @@ namespace MixedCracks
                       const Fields<dim>      &fields,
                       const Constraints<dim> &constraints)
   {
-    const auto            slits  = parameters.geometry.chosen().slits();
+    std::vector<Segment<dim>> slits;
+    if (parameters.initial_cracks.broken_slits)
+      slits = parameters.geometry.chosen().slits();
     const auto            cracks = parameters.initial_cracks.segments();
     LinearAlgebra::Vector values = fields.owned_vector(fields.phase_field_dofs);
     values                       = 1.;

@@ -40,6 +40,13 @@ namespace MixedCracks
                       "Segments 'x0,y0 : x1,y1 ; ...' along which the phase "
                       "field is 0 at the start: at the nodes within half a "
                       "cell of them. On top of the notch. Unit: mm.");
+    prm.add_parameter("Broken slits",
+                      broken_slits,
+                      "Whether the phase field is 0 on the slits of the mesh "
+                      "(notches) at the start. 'false': a slit is a gap "
+                      "between cells and no more, as in [Miehe10]; a crack "
+                      "then has to nucleate at its tip, which takes more "
+                      "load.");
     prm.leave_subsection();
   }
 
