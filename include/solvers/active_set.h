@@ -83,9 +83,21 @@ namespace MixedCracks
                                      const std::vector<Side>     &sides,
                                      const LinearAlgebra::Vector &solution,
                                      const LinearAlgebra::Vector &residual,
+                                     double                       tolerance,
                                      LinearAlgebra::Vector &correction) const;
 
-    /// Leaves with converged == false when the sets do not settle.
+    /// Number of dofs that changed sides; sets size and residual of the
+    /// outcome. Collective.
+    static dealii::types::global_dof_index
+    compare_sides(const BoundedProblem        &problem,
+                  const std::vector<Side>     &sides,
+                  const std::vector<Side>     &new_sides,
+                  const LinearAlgebra::Vector &residual,
+                  ActiveSetOutcome            &outcome);
+
+    /// Leaves with converged == false when the sets do not settle: as soon
+    /// as they were the same before, since then they cycle. Solves loosely
+    /// until they stay the same.
     ActiveSetOutcome settle(const BoundedProblem  &problem,
                             LinearAlgebra::Vector &solution,
                             LinearAlgebra::Vector &residual) const;

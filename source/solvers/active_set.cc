@@ -8,6 +8,7 @@
 #include <solvers/active_set.h>
 #include <solvers/projected_descent.h>
 
+#include <algorithm>
 #include <cmath>
 #include <functional>
 
@@ -22,6 +23,8 @@ namespace MixedCracks
     constexpr double same_bounds = 1e-14;
     // the phase field lies between 0 and 1
     constexpr double largest_correction = 1e5;
+    // digits that a solve would add before the sets are known are wasted
+    constexpr double loose_tolerance = 1e-4;
 
     // The matrix on the free dofs and the identity on all others. Applied to
     // vectors that vanish outside the free dofs.
@@ -56,6 +59,7 @@ namespace MixedCracks
     solve_free_block(const FreeBlock              &block,
                      const DiagonalMatrix<Vector> &preconditioner,
                      const ActiveSetOptions       &options,
+                     const double                  tolerance,
                      const Vector                 &right_hand_side,
                      Vector                       &solution)
     {
@@ -63,10 +67,8 @@ namespace MixedCracks
       const double  size = right_hand_side.l2_norm();
       if (size == 0.)
         return outcome;
-      SolverControl    control(options.max_linear_iterations,
-                            options.relative_tolerance * size,
-                            false,
-                            false);
+      SolverControl control(
+        options.max_linear_iterations, tolerance * size, false, false);
       SolverCG<Vector> solver(control);
       try
       {
@@ -86,6 +88,25 @@ namespace MixedCracks
         outcome.reason  = "the phase-field operator is nearly singular";
       }
       return outcome;
+    }
+  } // namespace
+
+
+
+  namespace
+  {
+    // whether all ranks find their sides in the same iteration before
+    template <typename Sides>
+    bool
+    is_repeated(const Sides              &sides,
+                const std::vector<Sides> &history,
+                const MPI_Comm            communicator)
+    {
+      std::vector<int> is_same;
+      for (const Sides &earlier : history)
+        is_same.push_back(sides == earlier ? 1 : 0);
+      Utilities::MPI::min(is_same, communicator, is_same);
+      return std::find(is_same.begin(), is_same.end(), 1) != is_same.end();
     }
   } // namespace
 
@@ -136,6 +157,7 @@ namespace MixedCracks
                                       const std::vector<Side> &sides,
                                       const Vector            &solution,
                                       const Vector            &residual,
+                                      const double             tolerance,
                                       Vector                  &correction) const
   {
     // move the active dofs to their bounds, then solve for the free ones
@@ -170,6 +192,7 @@ namespace MixedCracks
       solve_free_block(FreeBlock(problem.matrix, is_free),
                        preconditioner,
                        options,
+                       tolerance,
                        right_hand_side,
                        free_correction);
     correction.add(1., free_correction);
@@ -201,6 +224,32 @@ namespace MixedCracks
 
 
 
+  types::global_dof_index
+  ActiveSetSolver::compare_sides(const BoundedProblem    &problem,
+                                 const std::vector<Side> &sides,
+                                 const std::vector<Side> &new_sides,
+                                 const Vector            &residual,
+                                 ActiveSetOutcome        &outcome)
+  {
+    std::vector<types::global_dof_index> counts(2, 0);
+    double                               largest = 0.;
+    for (std::size_t i = 0; i < new_sides.size(); ++i)
+    {
+      counts[0] += new_sides[i] != Side::free;
+      counts[1] += sides.empty() || new_sides[i] != sides[i];
+      if (new_sides[i] == Side::free && !problem.constrained[i])
+        largest = std::max(
+          largest, std::abs(residual.begin()[i] / problem.scale.begin()[i]));
+    }
+    const MPI_Comm communicator = residual.get_mpi_communicator();
+    Utilities::MPI::sum(counts, communicator, counts);
+    outcome.residual = Utilities::MPI::max(largest, communicator);
+    outcome.n_active = counts[0];
+    return counts[1];
+  }
+
+
+
   ActiveSetOutcome
   ActiveSetSolver::settle(const BoundedProblem &problem,
                           Vector               &solution,
@@ -210,36 +259,41 @@ namespace MixedCracks
     ActiveSetOutcome  outcome;
     Vector            correction(residual), image(residual);
     std::vector<Side> sides;
+    bool              is_precise = false;
+    std::vector<std::vector<Side>> history;
     for (; outcome.iterations <= options.max_iterations; ++outcome.iterations)
     {
       const std::vector<Side> new_sides =
         decide_sides(problem, solution, residual);
-      std::vector<types::global_dof_index> counts(2, 0);
-      double                               largest = 0.;
-      for (std::size_t i = 0; i < new_sides.size(); ++i)
-      {
-        counts[0] += new_sides[i] != Side::free;
-        counts[1] += sides.empty() || new_sides[i] != sides[i];
-        if (new_sides[i] == Side::free && !problem.constrained[i])
-          largest = std::max(
-            largest, std::abs(residual.begin()[i] / problem.scale.begin()[i]));
-      }
-      Utilities::MPI::sum(counts, communicator, counts);
-      outcome.residual = Utilities::MPI::max(largest, communicator);
-      outcome.n_active = counts[0];
-      if (outcome.iterations > 0 && counts[1] == 0)
+      const types::global_dof_index n_changed =
+        compare_sides(problem, sides, new_sides, residual, outcome);
+      const bool is_same = outcome.iterations > 0 && n_changed == 0;
+      if (is_same && is_precise)
       {
         outcome.converged = true;
         return outcome;
       }
       if (outcome.iterations > 0)
-        outcome.n_changes += counts[1];
+        outcome.n_changes += n_changed;
+      if (!is_same && is_repeated(new_sides, history, communicator))
+      {
+        outcome.reason = "the active set cycles";
+        return outcome;
+      }
       if (outcome.iterations == options.max_iterations)
         break;
 
-      sides = new_sides;
-      const LinearOutcome linear =
-        compute_correction(problem, sides, solution, residual, correction);
+      if (!is_same)
+        history.push_back(new_sides);
+      sides                      = new_sides;
+      is_precise                 = is_same;
+      const LinearOutcome linear = compute_correction(
+        problem,
+        sides,
+        solution,
+        residual,
+        is_precise ? options.relative_tolerance : loose_tolerance,
+        correction);
       outcome.linear_iterations += linear.iterations;
       if (!linear.success)
       {

@@ -220,7 +220,9 @@ TEST(ActiveSet, ReportsACycleAsNotConverged)
     const Solution solution = solve(cycling, options);
     EXPECT_FALSE(solution.outcome.converged) << "weight " << weight;
     EXPECT_FALSE(solution.outcome.reason.empty());
-    EXPECT_GE(solution.outcome.n_changes, 2 * (options.max_iterations - 2));
+    // found when the cycle, of three iterations, comes round
+    EXPECT_LE(solution.outcome.iterations, 5u);
+    EXPECT_GE(solution.outcome.n_changes, 6u);
   }
 }
 
