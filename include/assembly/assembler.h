@@ -3,6 +3,7 @@
 #define mixed_cracks_assembly_assembler_h
 
 #include <assembly/cell_table.h>
+#include <assembly/constants_table.h>
 #include <assembly/elastic_kernel.h>
 #include <assembly/phase_field_kernel.h>
 
@@ -40,6 +41,19 @@ namespace MixedCracks
   struct CellData
   {
     std::map<std::string, dealii::Vector<float>> values;
+
+    /// @p n_cells: number of active cells.
+    void
+    set(const std::string &name,
+        const unsigned int n_cells,
+        const unsigned int cell,
+        const double       value)
+    {
+      dealii::Vector<float> &all = values[name];
+      if (all.size() == 0)
+        all.reinit(n_cells);
+      all(cell) = static_cast<float>(value);
+    }
   };
 
   /// The parallel loops over the cells. All vectors that are read have
@@ -51,9 +65,14 @@ namespace MixedCracks
     using Vector      = LinearAlgebra::Vector;
     using Constraints = dealii::AffineConstraints<double>;
 
-    Assembler(const Fields<dim> &fields, const Material<dim> &material);
+    /// @p constants_at: the constants of the material where they vary; empty:
+    /// those of its description.
+    Assembler(const Fields<dim>     &fields,
+              const Material<dim>   &material,
+              ConstantsFunction<dim> constants_at = {});
 
-    /// Before the first use, and when the mesh changed.
+    /// Before the first use, and when the mesh changed. Throws the InputError
+    /// of constants_at on all ranks.
     void reinit();
 
     /// First two lines of (M5). The matrix and the phase field are computed
@@ -91,6 +110,15 @@ namespace MixedCracks
 
     void lumped_mass(const Constraints &constraints, Vector &mass);
 
+    /// The lumped mass weighted with G_c.
+    void lumped_toughness(const Constraints &constraints, Vector &toughness);
+
+    bool
+    constants_vary() const
+    {
+      return static_cast<bool>(constants_at);
+    }
+
     Energies energies(const Vector &elastic,
                       const Vector &lagged_phase_field,
                       const Vector &phase_field);
@@ -105,6 +133,11 @@ namespace MixedCracks
                       const Vector &elastic,
                       const Vector &lagged_phase_field);
 
+    /// Add averages of the constants of one cell.
+    void add_constants(unsigned int   cell,
+                       unsigned int   index,
+                       CellData<dim> &data) const;
+
     /// Distance of the present state to that of the last matrix.
     void compare_tangent(unsigned int       cell,
                          ElasticAssessment &assessment) const;
@@ -112,10 +145,14 @@ namespace MixedCracks
     /// Owned cells whose part of the matrix is another one now.
     std::vector<unsigned int> changed_cells() const;
 
-    const Fields<dim>              &fields;
-    std::unique_ptr<CellTable<dim>> cells;
-    ElasticKernel<dim>              elastic_kernel;
-    PhaseFieldKernel<dim>           phase_field_kernel;
+    const Fields<dim>           &fields;
+    const Material<dim>         &material;
+    const ConstantsFunction<dim> constants_at;
+
+    std::unique_ptr<CellTable<dim>>      cells;
+    std::unique_ptr<ConstantsTable<dim>> constants;
+    ElasticKernel<dim>                   elastic_kernel;
+    PhaseFieldKernel<dim>                phase_field_kernel;
 
     // local work space
     dealii::Vector<double>                       local_elastic;

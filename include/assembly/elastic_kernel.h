@@ -36,8 +36,16 @@ namespace MixedCracks
                   const Material<dim>              &material,
                   bool                              mixed);
 
-    /// @p geometry must stay until the next call.
-    void reinit(const CellGeometry<dim> &geometry);
+    /// @p geometry and @p constants must stay until the next call.
+    void reinit(const CellGeometry<dim> &geometry,
+                const CellConstants     &constants);
+
+    /// With constants that are the same everywhere.
+    void
+    reinit(const CellGeometry<dim> &geometry)
+    {
+      reinit(geometry, CellConstants(material.uniform_constants()));
+    }
 
     /// Evaluate strain, pressure and response at the quadrature points.
     /// @p local: values of the dofs of this cell; @p lagged_phase_field: one
@@ -76,8 +84,10 @@ namespace MixedCracks
     /// residual has to be compared with.
     std::pair<double, double> squared_scale() const;
 
-    /// sigma+ : eps at a quadrature point, (M5) third line; MPa.
-    double driving_force(const ElasticPoint<dim> &point) const;
+    /// sigma+ : eps at a quadrature point, (M5) third line; MPa. @p at: the
+    /// constants there.
+    double driving_force(const ElasticPoint<dim> &point,
+                         const PointConstants    &at) const;
 
     /// Averages over the cell for the output, undegraded strain included.
     struct CellAverages
@@ -101,6 +111,7 @@ namespace MixedCracks
     ScalarShapes<dim>        displacement_shapes;
     ScalarShapes<dim>        pressure_shapes;
     const CellGeometry<dim> *geometry = nullptr;
+    CellConstants            constants;
     // local index of component d of node a: displacement_dofs[a][d]
     std::vector<std::array<unsigned int, dim>> displacement_dofs;
     std::vector<unsigned int>                  pressure_dofs;

@@ -24,8 +24,16 @@ namespace MixedCracks
                      const dealii::Quadrature<dim>    &quadrature,
                      const Material<dim>              &material);
 
-    /// @p geometry must stay until the next call.
-    void reinit(const CellGeometry<dim> &geometry);
+    /// @p geometry and @p constants must stay until the next call.
+    void reinit(const CellGeometry<dim> &geometry,
+                const CellConstants     &constants);
+
+    /// With constants that are the same everywhere.
+    void
+    reinit(const CellGeometry<dim> &geometry)
+    {
+      reinit(geometry, CellConstants(material.uniform_constants()));
+    }
 
     /// Phase field at the quadrature points from the dofs of this cell.
     void interpolate(const dealii::Vector<double> &local,
@@ -47,6 +55,9 @@ namespace MixedCracks
     /// Integrals of the shape functions: the lumped mass matrix, mm^2.
     void lumped_mass(dealii::Vector<double> &result) const;
 
+    /// Integrals of G_c times the shape functions: N mm (in 2-d).
+    void lumped_toughness(dealii::Vector<double> &result) const;
+
   private:
     struct PointState
     {
@@ -58,6 +69,7 @@ namespace MixedCracks
     const Material<dim>     &material;
     ScalarShapes<dim>        shapes;
     const CellGeometry<dim> *geometry = nullptr;
+    CellConstants            constants;
     std::vector<PointState>  points;
   };
 } // namespace MixedCracks

@@ -31,6 +31,9 @@ namespace MixedCracks
     /// alone.
     double operator()(const std::vector<double> &values) const;
 
+    /// Whether the formula contains this name.
+    bool uses(const std::string &name) const;
+
     /// As the user wrote it.
     const std::string &
     text() const

@@ -3,6 +3,7 @@
 #define mixed_cracks_core_simulation_h
 
 #include <core/parameters.h>
+#include <core/simulation_material.h>
 #include <core/simulation_setup.h>
 
 #include <deal.II/distributed/tria.h>
@@ -133,6 +134,8 @@ namespace MixedCracks
     dealii::parallel::distributed::Triangulation<dim> triangulation;
     double                                            cell_size = 0.; // mm
     std::unique_ptr<Material<dim>>                    material;
+    std::unique_ptr<const MaterialField<dim>>         material_field;
+    MaterialRange                                     material_range{};
     Fields<dim>                                       fields;
     Constraints<dim>                                  constraints;
     std::unique_ptr<Assembler<dim>>                   assembler;

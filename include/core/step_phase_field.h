@@ -61,7 +61,7 @@ namespace MixedCracks
     LinearAlgebra::Vector       residual;
     LinearAlgebra::Vector       lower;
     LinearAlgebra::Vector       upper;
-    LinearAlgebra::Vector       mass;
+    LinearAlgebra::Vector       mass; // lumped; times G_c where that varies
   };
 } // namespace MixedCracks
 

@@ -6,6 +6,7 @@
 #include <model/degradation.h>
 #include <model/elastic_constants.h>
 #include <model/energy_split.h>
+#include <model/point_constants.h>
 #include <model/pressure_law.h>
 
 #include <deal.II/base/symmetric_tensor.h>
@@ -15,7 +16,9 @@
 
 namespace MixedCracks
 {
-  /// Everything a Material is composed of, by name and by number.
+  /// Everything a Material is composed of, by name and by number. Constants
+  /// that vary from point to point are no numbers here (NaN), so that nobody
+  /// takes them for those of a point.
   struct MaterialDescription
   {
     ElasticConstants elastic; ///< already reduced by (M6) in plane stress
@@ -45,6 +48,8 @@ namespace MixedCracks
   /// The material at one point: pure functions of strain, pressure and
   /// phase field. In the displacement formulation the pressure is eliminated
   /// with the constraint: pressure() returns it, and eliminated() the stress.
+  /// @p at: the constants of that point; without it, those that are the same
+  /// everywhere.
   template <int dim>
   class Material
   {
@@ -54,22 +59,65 @@ namespace MixedCracks
     explicit Material(const MaterialDescription &description);
 
     /// Mixed formulation. @p g: degradation of the lagged phase field.
+    ElasticResponse<dim> mixed(const Strain         &strain,
+                               double                pressure,
+                               double                g,
+                               const PointConstants &at) const;
+
     ElasticResponse<dim>
-    mixed(const Strain &strain, double pressure, double g) const;
+    mixed(const Strain &strain, const double pressure, const double g) const
+    {
+      return mixed(strain, pressure, g, uniform);
+    }
 
     /// Displacement formulation: only stress and stress_by_strain are set,
     /// the other members are 0.
-    ElasticResponse<dim> eliminated(const Strain &strain, double g) const;
+    ElasticResponse<dim>
+    eliminated(const Strain &strain, double g, const PointConstants &at) const;
+
+    ElasticResponse<dim>
+    eliminated(const Strain &strain, const double g) const
+    {
+      return eliminated(strain, g, uniform);
+    }
 
     /// The p for which the constraint holds at this strain; MPa.
-    double pressure(const Strain &strain, double g) const;
+    double
+    pressure(const Strain &strain, double g, const PointConstants &at) const;
+
+    double
+    pressure(const Strain &strain, const double g) const
+    {
+      return pressure(strain, g, uniform);
+    }
 
     /// sigma+ : eps of (M5), third line, undegraded; MPa.
-    double driving_force(const Strain &strain, double pressure, double g) const;
+    double driving_force(const Strain         &strain,
+                         double                pressure,
+                         double                g,
+                         const PointConstants &at) const;
+
+    double
+    driving_force(const Strain &strain,
+                  const double  pressure,
+                  const double  g) const
+    {
+      return driving_force(strain, pressure, g, uniform);
+    }
 
     /// Stored elastic energy density, degraded: half of stress : strain; MPa.
+    double elastic_energy(const Strain         &strain,
+                          double                pressure,
+                          double                g,
+                          const PointConstants &at) const;
+
     double
-    elastic_energy(const Strain &strain, double pressure, double g) const;
+    elastic_energy(const Strain &strain,
+                   const double  pressure,
+                   const double  g) const
+    {
+      return elastic_energy(strain, pressure, g, uniform);
+    }
 
     /// Whether intact material is linearly elastic; see
     /// EnergySplit::adds_up().
@@ -110,10 +158,22 @@ namespace MixedCracks
       return constants;
     }
 
+    /// Those of the description: no numbers where they vary.
+    const PointConstants &
+    uniform_constants() const
+    {
+      return uniform;
+    }
+
   private:
     bool is_tension(double pressure_or_trace) const;
 
+    PressureCoefficients pressure_coefficients(double                g,
+                                               bool                  tension,
+                                               const PointConstants &at) const;
+
     MaterialDescription               constants;
+    PointConstants                    uniform;
     Degradation                       degradation_function;
     std::unique_ptr<CrackDensity>     density;
     std::unique_ptr<EnergySplit<dim>> split;

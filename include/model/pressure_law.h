@@ -28,6 +28,14 @@ namespace MixedCracks
     }
   };
 
+  /// Constants of a pressure law at a point.
+  struct PressureConstants
+  {
+    double lambda;     ///< first Lame parameter, MPa
+    double mu;         ///< shear modulus, MPa
+    double relaxation; ///< c of (M8), dimensionless
+  };
+
   /// How the pressure fades inside the damaged zone [model.md, 3].
   class PressureLaw
   {
@@ -36,25 +44,20 @@ namespace MixedCracks
 
     /// @p g: degradation in (0, 1]. @p tension: p is degraded here, because
     /// it is positive or the energy split does not distinguish.
-    virtual PressureCoefficients coefficients(double g, bool tension) const = 0;
+    virtual PressureCoefficients
+    coefficients(const PressureConstants &constants,
+                 double                   g,
+                 bool                     tension) const = 0;
 
     /// Whether stress and divergence agree for every g and sign, so that the
     /// tangent of the mixed formulation is symmetric.
     virtual bool is_symmetric() const = 0;
   };
 
-  /// Constants of a pressure law.
-  struct PressureConstants
-  {
-    double lambda;     ///< first Lame parameter, MPa
-    double mu;         ///< shear modulus, MPa
-    double relaxation; ///< c of (M8), dimensionless
-  };
-
   /// Pressure laws by name: "relaxed bulk" (M8), "degraded divergence" (M7),
   /// and "degraded bulk" (true pressure, stress g<p>, the classical law of
   /// the displacement formulation).
-  const Registry<PressureLaw, const PressureConstants &> &all_pressure_laws();
+  const Registry<PressureLaw> &all_pressure_laws();
 } // namespace MixedCracks
 
 #endif

@@ -6,6 +6,8 @@
 
 #include <model/material.h>
 
+#include <problem/material_parameters.h>
+
 #include <string>
 
 namespace MixedCracks
@@ -49,6 +51,10 @@ namespace MixedCracks
     /// n of (M3) for a @p dim -dimensional problem.
     int deviator(int dim) const;
 
+    /// The constants of the law: reduced by (M6) in plane stress.
+    ElasticConstants in_kinematics(const ElasticConstants &constants,
+                                   int                     dim) const;
+
     /// The length scale (mm) for the cell size @p h (mm).
     double evaluate_length_scale(double h) const;
 
@@ -56,30 +62,8 @@ namespace MixedCracks
     double evaluate_residual_stiffness(double h) const;
   };
 
-  /// Subsection "Material".
-  struct MaterialParameters
-  {
-    // as text, since empty means not given
-    std::string lame_lambda;
-    std::string shear_modulus;
-    std::string youngs_modulus;
-    std::string poisson_ratio;
-    std::string bulk_modulus;
-
-    double critical_energy_release_rate = 1.;
-    double thickness                    = 1.;
-
-    /// Enters the subsection itself.
-    void add_parameters(dealii::ParameterHandler &prm);
-
-    /// Throws InputError unless exactly one admissible pair is given.
-    void check() const;
-
-    /// As given, three-dimensional.
-    ElasticConstants elastic() const;
-  };
-
-  /// All that a Material needs, for the cell size @p h (mm).
+  /// All that a Material needs, for the cell size @p h (mm). Constants that
+  /// vary are no numbers (NaN) in it; see MaterialField.
   MaterialDescription describe_material(const ModelParameters    &model,
                                         const MaterialParameters &material,
                                         int                       dim,

@@ -18,7 +18,8 @@ namespace MixedCracks
     const LinearAlgebra::SparseMatrix &matrix;
     const LinearAlgebra::Vector       &lower;
     const LinearAlgebra::Vector       &upper;
-    /// lumped mass: residual / scale is an energy density (MPa)
+    /// lumped mass: residual / scale is an energy density (MPa); where G_c
+    /// varies, mass times G_c: it is an energy density over G_c (1/mm)
     const LinearAlgebra::Vector &scale;
     /// owned dofs that a constraint determines: never active, never moved
     const std::vector<bool> &constrained;
@@ -26,7 +27,7 @@ namespace MixedCracks
 
   struct ActiveSetOptions
   {
-    /// c of the criterion, an energy density (MPa): 10 G_c / l
+    /// c of the criterion, of the unit of residual / scale: 10 G_c / l
     double       weight                = 1.;
     double       relative_tolerance    = 1e-10; ///< of the linear solves
     unsigned int max_iterations        = 12;  ///< then the safeguard takes over

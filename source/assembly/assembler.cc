@@ -32,9 +32,12 @@ namespace MixedCracks
 
 
   template <int dim>
-  Assembler<dim>::Assembler(const Fields<dim>   &fields,
-                            const Material<dim> &material)
+  Assembler<dim>::Assembler(const Fields<dim>     &fields,
+                            const Material<dim>   &material,
+                            ConstantsFunction<dim> constants_at)
     : fields(fields)
+    , material(material)
+    , constants_at(std::move(constants_at))
     , elastic_kernel(fields.elastic.get_fe(),
                      fields.quadrature,
                      material,
@@ -54,7 +57,9 @@ namespace MixedCracks
   void
   Assembler<dim>::reinit()
   {
-    cells = std::make_unique<CellTable<dim>>(fields);
+    cells     = std::make_unique<CellTable<dim>>(fields);
+    constants = std::make_unique<ConstantsTable<dim>>(
+      fields, material.uniform_constants(), constants_at);
     present.resize(cells->n_cells() * fields.quadrature.size());
     of_matrix.resize(present.size());
     // no degradation is as far off as this one
@@ -71,7 +76,7 @@ namespace MixedCracks
                                const Vector      &elastic,
                                const Vector      &lagged_phase_field)
   {
-    elastic_kernel.reinit(cells->geometry(cell));
+    elastic_kernel.reinit(cells->geometry(cell), (*constants)[cell]);
     cells->elastic.read(cell, elastic, local_elastic);
     cells->phase_field.read(cell, lagged_phase_field, local_phase_field);
     phase_field_kernel.interpolate(local_phase_field, lagged_values);
@@ -180,7 +185,7 @@ namespace MixedCracks
     const std::size_t  n = fields.quadrature.size();
     for (const unsigned int cell : changed)
     {
-      elastic_kernel.reinit(cells->geometry(cell));
+      elastic_kernel.reinit(cells->geometry(cell), (*constants)[cell]);
       if (correct)
       {
         elastic_kernel.set_points(&of_matrix[cell * n]);
@@ -215,10 +220,11 @@ namespace MixedCracks
     std::vector<double>    driving_force(fields.quadrature.size());
     for (unsigned int cell = 0; cell < cells->n_cells(); ++cell)
     {
+      const CellConstants at = (*constants)[cell];
       for (unsigned int q = 0; q < driving_force.size(); ++q)
         driving_force[q] = elastic_kernel.driving_force(
-          present[cell * driving_force.size() + q]);
-      phase_field_kernel.reinit(cells->geometry(cell));
+          present[cell * driving_force.size() + q], at[q]);
+      phase_field_kernel.reinit(cells->geometry(cell), at);
       cells->phase_field.read(cell, phase_field, local_phase_field);
       phase_field_kernel.set_state(local_phase_field, driving_force);
       phase_field_kernel.residual(local);
@@ -267,7 +273,7 @@ namespace MixedCracks
     {
       load_elastic(cell, elastic, lagged_phase_field);
       sum.elastic += elastic_kernel.energy();
-      phase_field_kernel.reinit(cells->geometry(cell));
+      phase_field_kernel.reinit(cells->geometry(cell), (*constants)[cell]);
       cells->phase_field.read(cell, phase_field, local_phase_field);
       phase_field_kernel.set_state(local_phase_field, nothing);
       sum.crack += phase_field_kernel.energy();
@@ -291,10 +297,7 @@ namespace MixedCracks
     const auto        set = [&](const std::string &name,
                          const unsigned int cell,
                          const double       value) {
-      dealii::Vector<float> &values = data.values[name];
-      if (values.size() == 0)
-        values.reinit(n_cells);
-      values(cell) = static_cast<float>(value);
+      data.set(name, n_cells, cell, value);
     };
     for (unsigned int cell = 0; cell < cells->n_cells(); ++cell)
     {
@@ -308,6 +311,8 @@ namespace MixedCracks
               averages.stress[i][j]);
       set("strain_energy_density", index, averages.energy_density);
       set("material", index, cells->material(cell));
+      if (constants_vary())
+        add_constants(cell, index, data);
     }
     return data;
   }

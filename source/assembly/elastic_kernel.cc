@@ -27,6 +27,7 @@ namespace MixedCracks
     , mixed(mixed)
     , displacement_shapes(element.base_element(0), quadrature)
     , pressure_shapes(pressure_element(element, mixed), quadrature)
+    , constants(material.uniform_constants())
     , displacement_dofs(displacement_shapes.size())
     , pressure_dofs(mixed ? pressure_shapes.size() : 0)
     , states(quadrature.size())
@@ -46,9 +47,11 @@ namespace MixedCracks
 
   template <int dim>
   void
-  ElasticKernel<dim>::reinit(const CellGeometry<dim> &new_geometry)
+  ElasticKernel<dim>::reinit(const CellGeometry<dim> &new_geometry,
+                             const CellConstants     &new_constants)
   {
-    geometry = &new_geometry;
+    geometry  = &new_geometry;
+    constants = new_constants;
     displacement_shapes.reinit(new_geometry);
   }
 
@@ -81,7 +84,8 @@ namespace MixedCracks
             local(pressure_dofs[k]) * pressure_shapes.value(k, q);
       }
       else
-        point.pressure = material.pressure(point.strain, point.degradation);
+        point.pressure =
+          material.pressure(point.strain, point.degradation, constants[q]);
       point.branch = point.degradation == 1.
                        ? 0
                        : material.branch(point.strain, point.pressure);
@@ -106,10 +110,13 @@ namespace MixedCracks
   ElasticKernel<dim>::evaluate_responses()
   {
     for (unsigned int q = 0; q < states.size(); ++q)
-      responses[q] =
-        mixed ? material.mixed(
-                  states[q].strain, states[q].pressure, states[q].degradation)
-              : material.eliminated(states[q].strain, states[q].degradation);
+      responses[q] = mixed ? material.mixed(states[q].strain,
+                                            states[q].pressure,
+                                            states[q].degradation,
+                                            constants[q])
+                           : material.eliminated(states[q].strain,
+                                                 states[q].degradation,
+                                                 constants[q]);
   }
 
 
@@ -225,9 +232,11 @@ namespace MixedCracks
   {
     double sum = 0.;
     for (unsigned int q = 0; q < states.size(); ++q)
-      sum += geometry->weights[q] *
-             material.elastic_energy(
-               states[q].strain, states[q].pressure, states[q].degradation);
+      sum +=
+        geometry->weights[q] * material.elastic_energy(states[q].strain,
+                                                       states[q].pressure,
+                                                       states[q].degradation,
+                                                       constants[q]);
     return sum;
   }
 
@@ -255,10 +264,11 @@ namespace MixedCracks
 
   template <int dim>
   double
-  ElasticKernel<dim>::driving_force(const ElasticPoint<dim> &point) const
+  ElasticKernel<dim>::driving_force(const ElasticPoint<dim> &point,
+                                    const PointConstants    &at) const
   {
     return material.driving_force(
-      point.strain, point.pressure, point.degradation);
+      point.strain, point.pressure, point.degradation, at);
   }
 
 

@@ -11,6 +11,7 @@ namespace MixedCracks
                                           const Material<dim>      &material)
     : material(material)
     , shapes(element, quadrature)
+    , constants(material.uniform_constants())
     , points(quadrature.size())
   {}
 
@@ -18,9 +19,11 @@ namespace MixedCracks
 
   template <int dim>
   void
-  PhaseFieldKernel<dim>::reinit(const CellGeometry<dim> &new_geometry)
+  PhaseFieldKernel<dim>::reinit(const CellGeometry<dim> &new_geometry,
+                                const CellConstants     &new_constants)
   {
-    geometry = &new_geometry;
+    geometry  = &new_geometry;
+    constants = new_constants;
     shapes.reinit(new_geometry);
   }
 
@@ -61,13 +64,13 @@ namespace MixedCracks
   double
   PhaseFieldKernel<dim>::energy() const
   {
-    const MaterialDescription &constants = material.description();
-    const CrackDensity        &density   = material.crack_density();
-    double                     sum       = 0.;
+    const double        length  = material.description().length_scale;
+    const CrackDensity &density = material.crack_density();
+    double              sum     = 0.;
     for (unsigned int q = 0; q < points.size(); ++q)
-      sum += geometry->weights[q] * constants.critical_energy_release_rate *
-             (density.local(points[q].phase_field) / constants.length_scale +
-              density.gradient_coefficient() * constants.length_scale *
+      sum += geometry->weights[q] * constants[q].critical_energy_release_rate *
+             (density.local(points[q].phase_field) / length +
+              density.gradient_coefficient() * length *
                 points[q].gradient.norm_square());
     return sum;
   }
@@ -78,19 +81,18 @@ namespace MixedCracks
   void
   PhaseFieldKernel<dim>::residual(Vector<double> &result) const
   {
-    const MaterialDescription &constants = material.description();
-    const CrackDensity        &density   = material.crack_density();
-    const double toughness = constants.critical_energy_release_rate;
-    const double gradient_factor =
-      2. * density.gradient_coefficient() * toughness * constants.length_scale;
-    result = 0.;
+    const double        length  = material.description().length_scale;
+    const CrackDensity &density = material.crack_density();
+    result                      = 0.;
     for (unsigned int q = 0; q < points.size(); ++q)
     {
+      const double toughness = constants[q].critical_energy_release_rate;
+      const double gradient_factor =
+        2. * density.gradient_coefficient() * toughness * length;
       const double local =
         0.5 * material.degradation().derivative(points[q].phase_field) *
           points[q].driving_force +
-        toughness / constants.length_scale *
-          density.local_derivative(points[q].phase_field);
+        toughness / length * density.local_derivative(points[q].phase_field);
       for (unsigned int i = 0; i < shapes.size(); ++i)
         result(i) +=
           (local * shapes.value(i, q) +
@@ -105,18 +107,18 @@ namespace MixedCracks
   void
   PhaseFieldKernel<dim>::jacobian(FullMatrix<double> &result) const
   {
-    const MaterialDescription &constants = material.description();
-    const CrackDensity        &density   = material.crack_density();
-    const double toughness = constants.critical_energy_release_rate;
-    const double gradient_factor =
-      2. * density.gradient_coefficient() * toughness * constants.length_scale;
-    result = 0.;
+    const double        length  = material.description().length_scale;
+    const CrackDensity &density = material.crack_density();
+    result                      = 0.;
     for (unsigned int q = 0; q < points.size(); ++q)
     {
+      const double toughness = constants[q].critical_energy_release_rate;
+      const double gradient_factor =
+        2. * density.gradient_coefficient() * toughness * length;
       const double local =
         0.5 * material.degradation().second_derivative() *
           points[q].driving_force +
-        toughness / constants.length_scale *
+        toughness / length *
           density.local_second_derivative(points[q].phase_field);
       for (unsigned int i = 0; i < shapes.size(); ++i)
         for (unsigned int j = 0; j < shapes.size(); ++j)
@@ -137,6 +139,19 @@ namespace MixedCracks
     for (unsigned int q = 0; q < points.size(); ++q)
       for (unsigned int i = 0; i < shapes.size(); ++i)
         result(i) += shapes.value(i, q) * geometry->weights[q];
+  }
+
+
+
+  template <int dim>
+  void
+  PhaseFieldKernel<dim>::lumped_toughness(Vector<double> &result) const
+  {
+    result = 0.;
+    for (unsigned int q = 0; q < points.size(); ++q)
+      for (unsigned int i = 0; i < shapes.size(); ++i)
+        result(i) += constants[q].critical_energy_release_rate *
+                     shapes.value(i, q) * geometry->weights[q];
   }
 
 

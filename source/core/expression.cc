@@ -248,6 +248,15 @@ namespace MixedCracks
 
 
 
+  bool
+  Expression::uses(const std::string &name) const
+  {
+    const std::vector<std::string> words = words_of(formula);
+    return std::find(words.begin(), words.end(), name) != words.end();
+  }
+
+
+
   double
   Expression::operator()(const std::vector<double> &values) const
   {

@@ -100,6 +100,9 @@ namespace MixedCracks
     material = std::make_unique<Material<dim>>(
       describe_material(parameters.model, parameters.material, dim, cell_size));
     fields.distribute();
+    material_field = std::make_unique<const MaterialField<dim>>(
+      make_material_field(parameters.material, triangulation));
+    material_range = MixedCracks::material_range(*material_field, fields);
   }
 
 
@@ -109,7 +112,8 @@ namespace MixedCracks
   Simulation<dim>::make_solvers()
   {
     const unsigned int n_components = fields.elastic.get_fe().n_components();
-    assembler = std::make_unique<Assembler<dim>>(fields, *material);
+    assembler                       = std::make_unique<Assembler<dim>>(
+      fields, *material, constants_function(parameters.model, *material_field));
     elastic_step =
       std::make_unique<ElasticStep<dim>>(fields,
                                          constraints,

@@ -15,12 +15,19 @@ namespace MixedCracks
     constexpr double bytes_per_dof = 3500.;
 
     std::string
-    locking_in_words(const ElasticConstants &given, const bool mixed)
+    locking_in_words(const MaterialRange &given, const bool mixed)
     {
-      const double ratio = given.lambda / given.mu;
-      std::string  text =
-        printed("lambda/mu = %.4g, nu = %.5f", ratio, given.poisson_ratio());
-      if (ratio < 50.)
+      std::string text =
+        given.ratio.varies()
+          ? printed("lambda/mu = %.4g to %.4g, nu = %.5f to %.5f",
+                    given.ratio.smallest,
+                    given.ratio.largest,
+                    given.nu.smallest,
+                    given.nu.largest)
+          : printed("lambda/mu = %.4g, nu = %.5f",
+                    given.ratio.largest,
+                    given.nu.largest);
+      if (given.ratio.largest < 50.)
         return text + ": compressible enough for either formulation";
       return text + (mixed ? ": nearly incompressible, handled by the mixed "
                              "formulation"
@@ -72,7 +79,9 @@ namespace MixedCracks
                      constants.length_scale,
                      constants.length_scale / cell_size_at_cracks(),
                      constants.residual_stiffness));
-    log.line(locking_in_words(parameters.material.elastic(), model.mixed()));
+    if (material_field->varies())
+      log.line(in_words(material_range));
+    log.line(locking_in_words(material_range, model.mixed()));
     log.line(printed("memory: about %.2g GB with the direct solver, all ranks "
                      "together",
                      1e-9 * bytes_per_dof * fields.n_dofs()));
@@ -91,12 +100,12 @@ namespace MixedCracks
         "l/h = %.3g: the length scale is resolved by fewer than two cells; "
         "the effective toughness is too large",
         resolution));
-    const ElasticConstants given = parameters.material.elastic();
-    if (!parameters.model.mixed() && given.lambda > 50. * given.mu)
+    const double stiffest_ratio = material_range.ratio.largest;
+    if (!parameters.model.mixed() && stiffest_ratio > 50.)
       warnings.push_back(
         printed("lambda/mu = %.3g with the displacement formulation: expect "
                 "locking; Model/Formulation = mixed avoids it",
-                given.lambda / given.mu));
+                stiffest_ratio));
     if (parameters.model.coupling != "iterated")
       warnings.push_back(
         "coupling '" + parameters.model.coupling +
@@ -104,8 +113,7 @@ namespace MixedCracks
         "as a rate effect");
     if (parameters.model.mixed() && dim == 2 &&
         parameters.model.kinematics == "plane strain" &&
-        parameters.model.pressure_law != "relaxed bulk" &&
-        given.lambda > 50. * given.mu)
+        parameters.model.pressure_law != "relaxed bulk" && stiffest_ratio > 50.)
       warnings.push_back("pressure law '" + parameters.model.pressure_law +
                          "' in nearly incompressible plane strain: cracks "
                          "hardly open, see doc/model.md, section 3");

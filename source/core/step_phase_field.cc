@@ -14,14 +14,17 @@ namespace MixedCracks
     // outer Newton iterations for densities that are not quadratic
     constexpr unsigned int max_newton_iterations = 20;
 
+    // Where G_c varies, so does the constant of the criterion: then the
+    // multipliers are divided by the local G_c (in N/mm) instead.
     template <int dim>
     ActiveSetOptions
-    options_for(const Material<dim> &material)
+    options_for(const Material<dim> &material, const bool constants_vary)
     {
       const MaterialDescription &constants = material.description();
       ActiveSetOptions           options;
       options.weight =
-        10. * constants.critical_energy_release_rate / constants.length_scale;
+        10. * (constants_vary ? 1. : constants.critical_energy_release_rate) /
+        constants.length_scale;
       return options;
     }
 
@@ -51,7 +54,7 @@ namespace MixedCracks
     , constraints(constraints)
     , assembler(assembler)
     , timer(timer)
-    , solver(options_for(material))
+    , solver(options_for(material, assembler.constants_vary()))
     , is_quadratic(has_constant_curvature(material.crack_density()))
   {}
 
@@ -77,7 +80,10 @@ namespace MixedCracks
     for (LinearAlgebra::Vector *vector :
          {&iterate, &residual, &lower, &upper, &mass})
       vector->reinit(dofs.owned, fields.communicator());
-    assembler.lumped_mass(hanging, mass);
+    if (assembler.constants_vary())
+      assembler.lumped_toughness(hanging, mass);
+    else
+      assembler.lumped_mass(hanging, mass);
     constrained.clear();
     for (const auto dof : dofs.owned)
       constrained.push_back(hanging.is_constrained(dof));

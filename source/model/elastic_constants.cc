@@ -141,18 +141,18 @@ namespace MixedCracks
     check_count(const Given &given)
     {
       unsigned int n_given = 0;
-      std::string  allowed;
       for (const Entry &entry : entries)
-      {
         n_given += (given.*entry.value).has_value();
+      if (n_given == 2)
+        return; // quickly: where they vary, this is asked at every point
+      std::string allowed;
+      for (const Entry &entry : entries)
         allowed += (allowed.empty() ? "" : ", ") + std::string(entry.name);
-      }
-      if (n_given != 2)
-        throw InputError(
-          "Material: " + (n_given == 0 ? "none" : std::to_string(n_given)) +
-          " of the elastic constants given" +
-          (n_given == 0 ? std::string() : " (" + list_of(given) + ")") +
-          "; exactly two are needed, out of " + allowed + ".");
+      throw InputError(
+        "Material: " + (n_given == 0 ? "none" : std::to_string(n_given)) +
+        " of the elastic constants given" +
+        (n_given == 0 ? std::string() : " (" + list_of(given) + ")") +
+        "; exactly two are needed, out of " + allowed + ".");
     }
 
     void

@@ -47,36 +47,37 @@ namespace MixedCracks
   template <int dim>
   Material<dim>::Material(const MaterialDescription &description)
     : constants(description)
+    , uniform{description.elastic.lambda,
+              description.elastic.mu,
+              description.critical_energy_release_rate}
     , degradation_function(description.residual_stiffness)
     , density(all_crack_densities().make(description.crack_density))
     , split(all_energy_splits<dim>().make(description.energy_split,
                                           description.deviator_dimension))
-    , pressure_law(
-        all_pressure_laws().make(description.pressure_law,
-                                 PressureConstants{description.elastic.lambda,
-                                                   description.elastic.mu,
-                                                   description.relaxation}))
+    , pressure_law(all_pressure_laws().make(description.pressure_law))
   {
-    Assert(description.elastic.lambda > 0. && description.elastic.mu > 0. &&
-             description.relaxation > 0. &&
-             description.residual_stiffness > 0. &&
-             description.residual_stiffness < 1.,
-           dealii::ExcMessage("The constants of a material must be checked "
-                              "before it is made."));
+    // not a number where they vary
+    Assert(
+      !(description.elastic.lambda <= 0. || description.elastic.mu <= 0.) &&
+        description.relaxation > 0. && description.residual_stiffness > 0. &&
+        description.residual_stiffness < 1.,
+      dealii::ExcMessage("The constants of a material must be checked "
+                         "before it is made."));
   }
 
 
 
   template <int dim>
   ElasticResponse<dim>
-  Material<dim>::mixed(const Strain &strain,
-                       const double  pressure,
-                       const double  g) const
+  Material<dim>::mixed(const Strain         &strain,
+                       const double          pressure,
+                       const double          g,
+                       const PointConstants &at) const
   {
     const PressureCoefficients law =
-      pressure_law->coefficients(g, is_tension(pressure));
+      pressure_coefficients(g, is_tension(pressure), at);
     ElasticResponse<dim> response;
-    set_shear_part(response, split->evaluate(strain, constants.elastic.mu), g);
+    set_shear_part(response, split->evaluate(strain, at.mu), g);
     add_pressure(response.stress, law.stress * pressure);
     response.stress_by_pressure = law.stress;
     response.constraint =
@@ -90,15 +91,17 @@ namespace MixedCracks
 
   template <int dim>
   ElasticResponse<dim>
-  Material<dim>::eliminated(const Strain &strain, const double g) const
+  Material<dim>::eliminated(const Strain         &strain,
+                            const double          g,
+                            const PointConstants &at) const
   {
     // the eliminated pressure has the sign of the trace
     const double volume_change = trace(strain);
     const double bulk_stiffness =
-      pressure_law->coefficients(g, is_tension(volume_change))
+      pressure_coefficients(g, is_tension(volume_change), at)
         .eliminated_stiffness();
     ElasticResponse<dim> response;
-    set_shear_part(response, split->evaluate(strain, constants.elastic.mu), g);
+    set_shear_part(response, split->evaluate(strain, at.mu), g);
     add_pressure(response.stress, bulk_stiffness * volume_change);
     add_bulk_stiffness(response.stress_by_strain, bulk_stiffness);
     response.stress_by_pressure     = 0.;
@@ -112,11 +115,13 @@ namespace MixedCracks
 
   template <int dim>
   double
-  Material<dim>::pressure(const Strain &strain, const double g) const
+  Material<dim>::pressure(const Strain         &strain,
+                          const double          g,
+                          const PointConstants &at) const
   {
     const double               volume_change = trace(strain);
     const PressureCoefficients law =
-      pressure_law->coefficients(g, is_tension(volume_change));
+      pressure_coefficients(g, is_tension(volume_change), at);
     return law.divergence * volume_change / law.compliance;
   }
 
@@ -124,15 +129,15 @@ namespace MixedCracks
 
   template <int dim>
   double
-  Material<dim>::driving_force(const Strain &strain,
-                               const double  pressure,
-                               const double  g) const
+  Material<dim>::driving_force(const Strain         &strain,
+                               const double          pressure,
+                               const double          g,
+                               const PointConstants &at) const
   {
-    double force =
-      split->evaluate(strain, constants.elastic.mu).positive * strain;
+    double force = split->evaluate(strain, at.mu).positive * strain;
     if (is_tension(pressure))
       force +=
-        pressure_law->coefficients(g, true).driving * pressure * trace(strain);
+        pressure_coefficients(g, true, at).driving * pressure * trace(strain);
     return force;
   }
 
@@ -140,14 +145,14 @@ namespace MixedCracks
 
   template <int dim>
   double
-  Material<dim>::elastic_energy(const Strain &strain,
-                                const double  pressure,
-                                const double  g) const
+  Material<dim>::elastic_energy(const Strain         &strain,
+                                const double          pressure,
+                                const double          g,
+                                const PointConstants &at) const
   {
-    const SplitStress<dim> parts =
-      split->evaluate(strain, constants.elastic.mu);
-    const double transmitted_pressure =
-      pressure_law->coefficients(g, is_tension(pressure)).stress * pressure;
+    const SplitStress<dim> parts = split->evaluate(strain, at.mu);
+    const double           transmitted_pressure =
+      pressure_coefficients(g, is_tension(pressure), at).stress * pressure;
     return 0.5 * (g * (parts.positive * strain) + parts.negative * strain +
                   transmitted_pressure * trace(strain));
   }
@@ -170,6 +175,18 @@ namespace MixedCracks
   Material<dim>::is_tension(const double pressure_or_trace) const
   {
     return pressure_or_trace > 0. || !split->splits_pressure();
+  }
+
+
+
+  template <int dim>
+  PressureCoefficients
+  Material<dim>::pressure_coefficients(const double          g,
+                                       const bool            tension,
+                                       const PointConstants &at) const
+  {
+    return pressure_law->coefficients(
+      {at.lambda, at.mu, constants.relaxation}, g, tension);
   }
 
 

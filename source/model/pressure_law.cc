@@ -9,16 +9,16 @@ namespace MixedCracks
     class RelaxedBulk : public PressureLaw
     {
     public:
-      explicit RelaxedBulk(const PressureConstants &constants)
-        : intact_compliance(1. / constants.lambda)
-        , added_compliance(1. / (constants.relaxation * constants.mu))
-      {}
-
       PressureCoefficients
-      coefficients(const double g, const bool tension) const override
+      coefficients(const PressureConstants &constants,
+                   const double             g,
+                   const bool               tension) const override
       {
+        const double intact_compliance = 1. / constants.lambda;
         if (!tension)
           return {1., 1., intact_compliance, 1.};
+        const double added_compliance =
+          1. / (constants.relaxation * constants.mu);
         const double inverse_g = 1. / g;
         return {1.,
                 1.,
@@ -31,10 +31,6 @@ namespace MixedCracks
       {
         return true;
       }
-
-    private:
-      double intact_compliance;
-      double added_compliance;
     };
 
 
@@ -43,14 +39,12 @@ namespace MixedCracks
     class DegradedDivergence : public PressureLaw
     {
     public:
-      explicit DegradedDivergence(const PressureConstants &constants)
-        : compliance(1. / constants.lambda)
-      {}
-
       PressureCoefficients
-      coefficients(const double g, const bool tension) const override
+      coefficients(const PressureConstants &constants,
+                   const double             g,
+                   const bool               tension) const override
       {
-        return {tension ? g : 1., g, compliance, 1.};
+        return {tension ? g : 1., g, 1. / constants.lambda, 1.};
       }
 
       bool
@@ -58,9 +52,6 @@ namespace MixedCracks
       {
         return false; // in compression
       }
-
-    private:
-      double compliance;
     };
 
 
@@ -69,14 +60,12 @@ namespace MixedCracks
     class DegradedBulk : public PressureLaw
     {
     public:
-      explicit DegradedBulk(const PressureConstants &constants)
-        : compliance(1. / constants.lambda)
-      {}
-
       PressureCoefficients
-      coefficients(const double g, const bool tension) const override
+      coefficients(const PressureConstants &constants,
+                   const double             g,
+                   const bool               tension) const override
       {
-        return {tension ? g : 1., 1., compliance, 1.};
+        return {tension ? g : 1., 1., 1. / constants.lambda, 1.};
       }
 
       bool
@@ -84,27 +73,24 @@ namespace MixedCracks
       {
         return false; // in tension
       }
-
-    private:
-      double compliance;
     };
 
 
 
     template <typename Law>
     std::unique_ptr<PressureLaw>
-    make(const PressureConstants &constants)
+    make()
     {
-      return std::make_unique<Law>(constants);
+      return std::make_unique<Law>();
     }
   } // namespace
 
 
 
-  const Registry<PressureLaw, const PressureConstants &> &
+  const Registry<PressureLaw> &
   all_pressure_laws()
   {
-    static const Registry<PressureLaw, const PressureConstants &> list(
+    static const Registry<PressureLaw> list(
       "pressure law",
       {{"relaxed bulk",
         "(div u, q) - (1/lambda + (1-g)/(g c mu)) (p, q) = 0 in tension, the "

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
+#include <core/errors.h>
 #include <core/expression.h>
-#include <core/text.h>
 
 #include <deal.II/base/patterns.h>
 
@@ -157,14 +157,6 @@ namespace MixedCracks
       }
       return value;
     }
-
-    std::optional<double>
-    optional_number(const std::string &text, const std::string &parameter)
-    {
-      if (text.empty())
-        return {};
-      return parse_number(text, parameter);
-    }
   } // namespace
 
 
@@ -221,6 +213,16 @@ namespace MixedCracks
 
 
 
+  ElasticConstants
+  ModelParameters::in_kinematics(const ElasticConstants &constants,
+                                 const int               dim) const
+  {
+    return dim == 2 && kinematics == "plane stress" ? plane_stress(constants)
+                                                    : constants;
+  }
+
+
+
   double
   ModelParameters::evaluate_length_scale(const double h) const
   {
@@ -240,62 +242,6 @@ namespace MixedCracks
 
 
 
-  void
-  MaterialParameters::add_parameters(dealii::ParameterHandler &prm)
-  {
-    const std::string pair = " Exactly one pair of elastic constants has to be "
-                             "given; empty: not given. Unit: ";
-    prm.enter_subsection("Material");
-    prm.add_parameter("Lame lambda",
-                      lame_lambda,
-                      "First Lame parameter lambda." + pair + "MPa.");
-    prm.add_parameter(
-      "Shear modulus", shear_modulus, "mu = E/(2(1+nu))." + pair + "MPa.");
-    prm.add_parameter("Young's modulus", youngs_modulus, "E." + pair + "MPa.");
-    prm.add_parameter(
-      "Poisson ratio", poisson_ratio, "nu, between 0 and 0.5." + pair + "1.");
-    prm.add_parameter(
-      "Bulk modulus", bulk_modulus, "K = lambda + 2 mu/3." + pair + "MPa.");
-    prm.add_parameter("Critical energy release rate",
-                      critical_energy_release_rate,
-                      "G_c, the energy to open a unit of crack surface. Unit: "
-                      "N/mm.",
-                      Patterns::Double(tiny));
-    prm.add_parameter("Thickness",
-                      thickness,
-                      "Of the specimen, out of plane: multiplies forces and "
-                      "energies, never stresses. Ignored in 3-d. Unit: mm.",
-                      Patterns::Double(tiny));
-    prm.leave_subsection();
-  }
-
-
-
-  ElasticConstants
-  MaterialParameters::elastic() const
-  {
-    GivenElasticConstants given;
-    given.lame_lambda = optional_number(lame_lambda, "Material/Lame lambda");
-    given.shear_modulus =
-      optional_number(shear_modulus, "Material/Shear modulus");
-    given.youngs_modulus =
-      optional_number(youngs_modulus, "Material/Young's modulus");
-    given.poisson_ratio =
-      optional_number(poisson_ratio, "Material/Poisson ratio");
-    given.bulk_modulus = optional_number(bulk_modulus, "Material/Bulk modulus");
-    return elastic_constants(given);
-  }
-
-
-
-  void
-  MaterialParameters::check() const
-  {
-    elastic();
-  }
-
-
-
   MaterialDescription
   describe_material(const ModelParameters    &model,
                     const MaterialParameters &material,
@@ -303,11 +249,19 @@ namespace MixedCracks
                     const double              h)
   {
     MaterialDescription description;
-    description.elastic = material.elastic();
-    if (dim == 2 && model.kinematics == "plane stress")
-      description.elastic = plane_stress(description.elastic);
-    description.critical_energy_release_rate =
-      material.critical_energy_release_rate;
+    if (material.varies())
+    {
+      const double different = std::numeric_limits<double>::quiet_NaN();
+      description.elastic    = {different, different};
+      description.critical_energy_release_rate = different;
+    }
+    else
+    {
+      const MaterialValues values = material.uniform_values();
+      description.elastic         = model.in_kinematics(values.elastic, dim);
+      description.critical_energy_release_rate =
+        values.critical_energy_release_rate;
+    }
     description.length_scale       = model.evaluate_length_scale(h);
     description.residual_stiffness = model.evaluate_residual_stiffness(h);
     description.relaxation         = model.relaxation;

@@ -167,7 +167,7 @@ VALUES = [
     value("Material/Thickness", "-2", "found '-2'"),
     value("Material/Thickness", "0", "found '0'"),
     value("Material/Thickness", "", "no value", "a number"),
-    value("Material/Critical energy release rate", "0", "found '0'"),
+    entry("Material/Critical energy release rate", "0", "found '0'"),
     value("Mesh/Global refinements", "1.5", "found '1.5'", "a whole number between 0 and"),
     value("Mesh/Global refinements", "-1", "found '-1'", "a whole number between 0 and"),
     value("Mesh/Global refinements", "40", "found '40'", "a whole number between 0 and"),

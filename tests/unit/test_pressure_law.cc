@@ -80,7 +80,7 @@ TEST(PressureLaw, MatchesTheEquationsThroughSacado)
         SCOPED_TRACE(name + ", g = " + std::to_string(g));
         const bool                 tension = p > 0.;
         const PressureCoefficients found =
-          all_pressure_laws().make(name, constants)->coefficients(g, tension);
+          all_pressure_laws().make(name)->coefficients(constants, g, tension);
         const double volume_change = 1e-3;
         const auto   exact         = [&](const Equations::Function &function) {
           return differentiate(
@@ -112,7 +112,7 @@ TEST(PressureLaw, IntactMaterialIsLinearlyElastic)
     {
       SCOPED_TRACE(name);
       const PressureCoefficients law =
-        all_pressure_laws().make(name, constants)->coefficients(1., tension);
+        all_pressure_laws().make(name)->coefficients(constants, 1., tension);
       EXPECT_DOUBLE_EQ(law.stress, 1.);
       EXPECT_DOUBLE_EQ(law.divergence, 1.);
       EXPECT_DOUBLE_EQ(law.compliance, 1. / constants.lambda);
@@ -128,12 +128,13 @@ TEST(PressureLaw, IsSymmetricWhenItSaysSo)
   for (const std::string &name : all_pressure_laws().names())
   {
     SCOPED_TRACE(name);
-    const auto law         = all_pressure_laws().make(name, constants);
+    const auto law         = all_pressure_laws().make(name);
     bool       coincidence = true;
     for (const double g : degradations)
       for (const bool tension : {true, false})
       {
-        const PressureCoefficients found = law->coefficients(g, tension);
+        const PressureCoefficients found =
+          law->coefficients(constants, g, tension);
         coincidence = coincidence && found.stress == found.divergence;
       }
     EXPECT_EQ(law->is_symmetric(), coincidence);
@@ -147,13 +148,15 @@ TEST(PressureLaw, StiffnessFadesInTensionOnly)
   for (const std::string &name : all_pressure_laws().names())
   {
     SCOPED_TRACE(name);
-    const auto law       = all_pressure_laws().make(name, constants);
+    const auto law       = all_pressure_laws().make(name);
     double     softer    = 0.;
     double     transmits = 0.;
     for (const double g : degradations)
     {
-      const PressureCoefficients tension = law->coefficients(g, true);
-      const PressureCoefficients closed  = law->coefficients(g, false);
+      const PressureCoefficients tension =
+        law->coefficients(constants, g, true);
+      const PressureCoefficients closed =
+        law->coefficients(constants, g, false);
       EXPECT_GT(tension.eliminated_stiffness(), softer);
       EXPECT_GE(tension.stress / tension.compliance, transmits);
       EXPECT_LE(tension.eliminated_stiffness(),
@@ -163,7 +166,7 @@ TEST(PressureLaw, StiffnessFadesInTensionOnly)
       softer    = tension.eliminated_stiffness();
       transmits = tension.stress / tension.compliance;
     }
-    EXPECT_LT(law->coefficients(1e-8, true).eliminated_stiffness(),
+    EXPECT_LT(law->coefficients(constants, 1e-8, true).eliminated_stiffness(),
               1e-6 * constants.lambda);
   }
 }
@@ -177,7 +180,7 @@ TEST(PressureLaw, RelaxedBulkFadesWithTheShearStiffness)
   const auto   stiffness = [g](const double lambda) {
     return all_pressure_laws()
       .make("relaxed bulk", PressureConstants{lambda, 2.4, 0.7})
-      ->coefficients(g, true)
+      ->coefficients(constants, g, true)
       .eliminated_stiffness();
   };
   EXPECT_NEAR(stiffness(1e6) / (0.7 * g * 2.4), 1., 2e-3);

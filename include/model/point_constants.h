@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#ifndef mixed_cracks_model_point_constants_h
+#define mixed_cracks_model_point_constants_h
+
+#include <deal.II/base/point.h>
+#include <deal.II/base/types.h>
+
+#include <functional>
+
+namespace MixedCracks
+{
+  /// The constants of the material that may differ from point to point.
+  struct PointConstants
+  {
+    double lambda; ///< already reduced by (M6) in plane stress; MPa
+    double mu;     ///< MPa
+    double critical_energy_release_rate; ///< G_c, N/mm
+  };
+
+  /// The constants at a point (mm) of a cell with a material id. Throws
+  /// InputError, perhaps on one rank alone. Empty: they are the same
+  /// everywhere, as in the MaterialDescription.
+  template <int dim>
+  using ConstantsFunction =
+    std::function<PointConstants(const dealii::Point<dim> &,
+                                 dealii::types::material_id)>;
+
+  /// The constants at the quadrature points of one cell, of which it is only
+  /// a view: one for each, or one for all.
+  class CellConstants
+  {
+  public:
+    /// The same at every point.
+    explicit CellConstants(const PointConstants &everywhere)
+      : first(&everywhere)
+      , stride(0)
+    {}
+
+    /// One for each point, one after the other.
+    explicit CellConstants(const PointConstants *first)
+      : first(first)
+      , stride(1)
+    {}
+
+    const PointConstants &
+    operator[](const unsigned int q) const
+    {
+      return first[q * stride];
+    }
+
+  private:
+    const PointConstants *first;
+    unsigned int          stride;
+  };
+} // namespace MixedCracks
+
+#endif

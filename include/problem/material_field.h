@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#ifndef mixed_cracks_problem_material_field_h
+#define mixed_cracks_problem_material_field_h
+
+#include <core/expression.h>
+
+#include <deal.II/base/point.h>
+
+#include <problem/material_parameters.h>
+
+#include <array>
+#include <optional>
+#include <set>
+
+namespace MixedCracks
+{
+  /// One complete set of constants: numbers and expressions.
+  class MaterialConstants
+  {
+  public:
+    /// x, y, z (mm) and the value of the map.
+    using Variables = std::array<double, 4>;
+
+    /// @p texts: by entry name; @p where: what messages put before the name,
+    /// as "Material/". Throws InputError for what cannot be understood.
+    MaterialConstants(const MaterialParameters::Texts &texts,
+                      const std::string               &where);
+
+    bool
+    varies() const
+    {
+      return !constant;
+    }
+
+    bool uses_map() const;
+
+    /// Throws InputError unless they make a material there.
+    MaterialValues evaluate(const Variables &variables) const;
+
+  private:
+    struct Entry
+    {
+      std::string               name;
+      std::string               parameter; // in messages
+      double                    number;
+      std::optional<Expression> expression; // where it is no number
+
+      double evaluate(const Variables &variables) const;
+    };
+
+    MaterialValues compute(const Variables &variables) const;
+
+    std::vector<Entry>            entries;
+    std::optional<MaterialValues> constant;
+  };
+
+  /// The constants of the material anywhere in the body.
+  template <int dim>
+  class MaterialField
+  {
+  public:
+    /// @p map: null where there is none.
+    MaterialField(const MaterialParameters       &parameters,
+                  std::shared_ptr<const GridData> map);
+
+    bool varies() const;
+
+    /// Throws InputError, with the position, unless they make a material.
+    MaterialValues operator()(const dealii::Point<dim>  &point,
+                              dealii::types::material_id id) const;
+
+    /// Throws InputError when an id is given that the mesh does not have.
+    void check_ids(const std::set<dealii::types::material_id> &in_mesh) const;
+
+  private:
+    const MaterialConstants &constants_of(dealii::types::material_id id) const;
+
+    MaterialConstants                                       elsewhere;
+    std::map<dealii::types::material_id, MaterialConstants> by_id;
+    std::shared_ptr<const GridData>                         map;
+  };
+} // namespace MixedCracks
+
+#endif

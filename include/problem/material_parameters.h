@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#ifndef mixed_cracks_problem_material_parameters_h
+#define mixed_cracks_problem_material_parameters_h
+
+#include <deal.II/base/parameter_handler.h>
+#include <deal.II/base/types.h>
+
+#include <model/elastic_constants.h>
+
+#include <problem/material_map.h>
+
+#include <map>
+#include <string>
+
+namespace MixedCracks
+{
+  /// The constants at one point.
+  struct MaterialValues
+  {
+    ElasticConstants elastic;                      ///< three-dimensional
+    double           critical_energy_release_rate; ///< G_c, N/mm
+  };
+
+  /// Subsection "Material".
+  struct MaterialParameters
+  {
+    /// What is given, by the name of the entry: numbers, or expressions in
+    /// x, y, z and map.
+    using Texts = std::map<std::string, std::string>;
+
+    // as text, since empty means not given
+    std::string lame_lambda;
+    std::string shear_modulus;
+    std::string youngs_modulus;
+    std::string poisson_ratio;
+    std::string bulk_modulus;
+    std::string critical_energy_release_rate = "1";
+    std::string by_material_id;
+
+    MaterialMapParameters map;
+    double                thickness = 1.;
+
+    /// Enters the subsection itself.
+    void add_parameters(dealii::ParameterHandler &prm);
+
+    /// Throws InputError unless exactly one admissible pair is given, as far
+    /// as it can be told without a mesh.
+    void check() const;
+
+    /// Whether anything differs from point to point.
+    bool varies() const;
+
+    /// Where nothing does: the constants everywhere.
+    MaterialValues uniform_values() const;
+
+    /// Those of the entries, where no material id says otherwise.
+    Texts texts() const;
+
+    /// All that holds in cells of the material ids that are named: what is
+    /// not given for them is as in texts(). Two elastic constants replace
+    /// both, one replaces the one of the same name. Throws InputError.
+    std::map<dealii::types::material_id, Texts> texts_by_id() const;
+  };
+} // namespace MixedCracks
+
+#endif

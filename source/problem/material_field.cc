@@ -1,0 +1,210 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include <core/errors.h>
+#include <core/names.h>
+#include <core/text.h>
+
+#include <problem/geometries/checks.h>
+#include <problem/material_field.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace MixedCracks
+{
+  namespace
+  {
+    const std::vector<std::string> variable_names = {"x", "y", "z", "map"};
+
+    using Given = GivenElasticConstants;
+    const std::map<std::string, std::optional<double> Given::*> elastic_names =
+      {{"Lame lambda", &Given::lame_lambda},
+       {"Shear modulus", &Given::shear_modulus},
+       {"Young's modulus", &Given::youngs_modulus},
+       {"Poisson ratio", &Given::poisson_ratio},
+       {"Bulk modulus", &Given::bulk_modulus}};
+
+    // A plain number, or nothing.
+    std::optional<double>
+    number_in(const std::string &text)
+    {
+      try
+      {
+        return parse_number(text, "");
+      }
+      catch (const InputError &)
+      {
+        return {};
+      }
+    }
+
+    bool
+    uses_variables(const Expression &expression)
+    {
+      return std::any_of(
+        variable_names.begin(),
+        variable_names.end(),
+        [&](const std::string &name) { return expression.uses(name); });
+    }
+  } // namespace
+
+
+
+  double
+  MaterialConstants::Entry::evaluate(const Variables &variables) const
+  {
+    return expression ? (*expression)({variables.begin(), variables.end()})
+                      : number;
+  }
+
+
+
+  MaterialConstants::MaterialConstants(const MaterialParameters::Texts &texts,
+                                       const std::string               &where)
+  {
+    bool any_varies = false;
+    for (const auto &[name, text] : texts)
+    {
+      Entry entry{name, where + name, 0., {}};
+      if (const std::optional<double> number = number_in(text))
+        entry.number = *number;
+      else
+      {
+        entry.expression.emplace(text, variable_names, entry.parameter);
+        any_varies = any_varies || uses_variables(*entry.expression);
+      }
+      entries.push_back(entry);
+    }
+    // values are none of the business of a set that may not be used at all
+    const bool has_elasticity =
+      std::any_of(entries.begin(), entries.end(), [](const Entry &entry) {
+        return elastic_names.count(entry.name) > 0;
+      });
+    if (!any_varies && has_elasticity)
+      constant = compute({{0., 0., 0., 0.}});
+  }
+
+
+
+  bool
+  MaterialConstants::uses_map() const
+  {
+    return std::any_of(entries.begin(), entries.end(), [](const Entry &entry) {
+      return entry.expression && entry.expression->uses("map");
+    });
+  }
+
+
+
+  MaterialValues
+  MaterialConstants::compute(const Variables &variables) const
+  {
+    Given          given;
+    MaterialValues result{{0., 0.}, 0.};
+    for (const Entry &entry : entries)
+    {
+      const double value   = entry.evaluate(variables);
+      const auto   elastic = elastic_names.find(entry.name);
+      if (elastic != elastic_names.end())
+        given.*elastic->second = value;
+      else
+      {
+        result.critical_energy_release_rate = value;
+        require(std::isfinite(value) && value > 0.,
+                entry.parameter + ": found '" + number_text(value) +
+                  "', expected a number greater than 0 (N/mm).");
+      }
+    }
+    result.elastic = elastic_constants(given);
+    return result;
+  }
+
+
+
+  MaterialValues
+  MaterialConstants::evaluate(const Variables &variables) const
+  {
+    return constant ? *constant : compute(variables);
+  }
+
+
+
+  template <int dim>
+  MaterialField<dim>::MaterialField(const MaterialParameters       &parameters,
+                                    std::shared_ptr<const GridData> map)
+    : elsewhere(parameters.texts(), "Material/")
+    , map(std::move(map))
+  {
+    for (const auto &[id, texts] : parameters.texts_by_id())
+      by_id.emplace(
+        id,
+        MaterialConstants(
+          texts, "Material/By material id: " + std::to_string(id) + ": "));
+  }
+
+
+
+  template <int dim>
+  bool
+  MaterialField<dim>::varies() const
+  {
+    return !by_id.empty() || elsewhere.varies();
+  }
+
+
+
+  template <int dim>
+  const MaterialConstants &
+  MaterialField<dim>::constants_of(const dealii::types::material_id id) const
+  {
+    const auto found = by_id.find(id);
+    return found == by_id.end() ? elsewhere : found->second;
+  }
+
+
+
+  template <int dim>
+  MaterialValues
+  MaterialField<dim>::operator()(const dealii::Point<dim>        &point,
+                                 const dealii::types::material_id id) const
+  {
+    const MaterialConstants &constants = constants_of(id);
+    try
+    {
+      GridData::Coordinates position{{0., 0., 0.}};
+      std::copy(point.begin_raw(), point.end_raw(), position.begin());
+      return constants.evaluate({{position[0],
+                                  position[1],
+                                  position[2],
+                                  map ? map->value(position) : 0.}});
+    }
+    catch (const InputError &error)
+    {
+      throw InputError(
+        std::string(error.what()) + " Found at " +
+        point_text({point.begin_raw(), point.end_raw()}) +
+        (by_id.empty() ? "" : ", material id " + std::to_string(id)) + ".");
+    }
+  }
+
+
+
+  template <int dim>
+  void
+  MaterialField<dim>::check_ids(
+    const std::set<dealii::types::material_id> &in_mesh) const
+  {
+    std::vector<std::string> names;
+    for (const auto id : in_mesh)
+      names.push_back(std::to_string(id));
+    for (const auto &entry : by_id)
+      require(in_mesh.count(entry.first) > 0,
+              "Material/By material id: the material id " +
+                std::to_string(entry.first) +
+                " is not in the mesh, which has " + join_names(names) + ".");
+  }
+
+
+
+  template class MaterialField<2>;
+  template class MaterialField<3>;
+} // namespace MixedCracks

@@ -1,0 +1,228 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include <core/errors.h>
+#include <core/names.h>
+#include <core/text.h>
+
+#include <deal.II/base/patterns.h>
+
+#include <problem/geometries/checks.h>
+#include <problem/material_field.h>
+
+#include <cmath>
+#include <limits>
+
+namespace MixedCracks
+{
+  namespace Patterns = dealii::Patterns;
+
+  namespace
+  {
+    const std::string by_id_name = "Material/By material id";
+
+    const std::vector<std::string> elastic_names = {"Lame lambda",
+                                                    "Shear modulus",
+                                                    "Young's modulus",
+                                                    "Poisson ratio",
+                                                    "Bulk modulus"};
+    const std::string toughness_name = "Critical energy release rate";
+
+    // Parts between commas that are not inside of parentheses: those separate
+    // the arguments of functions.
+    std::vector<std::string>
+    split_outside_parentheses(const std::string &text)
+    {
+      std::vector<std::string> parts(1);
+      int                      depth = 0;
+      for (const char c : text)
+      {
+        depth += (c == '(') - (c == ')');
+        if (c == ',' && depth == 0)
+          parts.emplace_back();
+        else
+          parts.back() += c;
+      }
+      return parts;
+    }
+
+    dealii::types::material_id
+    parsed_id(const std::string &text)
+    {
+      const double number = parse_number(text, by_id_name);
+      require(number >= 0. && number <= 1e9 && number == std::floor(number),
+              by_id_name + ": the material id " + in_quotes(text) +
+                " is no integer from 0 to 1000000000.");
+      return static_cast<dealii::types::material_id>(number);
+    }
+
+    // "name = value, name = value"
+    MaterialParameters::Texts
+    parsed_texts(const std::string &text)
+    {
+      std::vector<std::string> known = elastic_names;
+      known.push_back(toughness_name);
+      MaterialParameters::Texts texts;
+      for (const std::string &assignment : split_outside_parentheses(text))
+      {
+        const auto equals = assignment.find('=');
+        require(equals != std::string::npos,
+                by_id_name + ": " + in_quotes(single_spaced(assignment)) +
+                  " is not of the form 'name = value'; names: " +
+                  join_names(known) + ".");
+        const std::string name = single_spaced(assignment.substr(0, equals));
+        require(std::find(known.begin(), known.end(), name) != known.end(),
+                by_id_name + ": " + unknown_name_message(name, known));
+        require(
+          texts.emplace(name, single_spaced(assignment.substr(equals + 1)))
+            .second,
+          by_id_name + ": " + name + " is given twice for one material id.");
+      }
+      return texts;
+    }
+
+    unsigned int
+    n_elastic(const MaterialParameters::Texts &texts)
+    {
+      unsigned int n = 0;
+      for (const std::string &name : elastic_names)
+        n += texts.count(name);
+      return n;
+    }
+  } // namespace
+
+
+
+  void
+  MaterialParameters::add_parameters(dealii::ParameterHandler &prm)
+  {
+    const std::string pair =
+      " Exactly one pair of elastic constants has to be given, as numbers or "
+      "expressions in x, y, z and map; empty: not given. Unit: ";
+    prm.enter_subsection("Material");
+    prm.add_parameter("Lame lambda",
+                      lame_lambda,
+                      "First Lame parameter lambda." + pair + "MPa.");
+    prm.add_parameter(
+      "Shear modulus", shear_modulus, "mu = E/(2(1+nu))." + pair + "MPa.");
+    prm.add_parameter("Young's modulus", youngs_modulus, "E." + pair + "MPa.");
+    prm.add_parameter(
+      "Poisson ratio", poisson_ratio, "nu, between 0 and 0.5." + pair + "1.");
+    prm.add_parameter(
+      "Bulk modulus", bulk_modulus, "K = lambda + 2 mu/3." + pair + "MPa.");
+    prm.add_parameter("Critical energy release rate",
+                      critical_energy_release_rate,
+                      "G_c, the energy to open a unit of crack surface: a "
+                      "positive number or an expression in x, y, z and map, "
+                      "as '2.7*(1 + 3*map)'. Unit: N/mm.");
+    prm.add_parameter(
+      "By material id",
+      by_material_id,
+      "Other constants for cells with these material ids of the mesh (Gmsh: "
+      "physical surfaces or volumes): 'id : name = value, name = value ; ...', "
+      "with the names of the entries above and numbers or expressions. What is "
+      "not given for an id is as above; two elastic constants replace both, "
+      "one replaces the one of the same name. Units as above.",
+      Patterns::Anything());
+    prm.add_parameter("Thickness",
+                      thickness,
+                      "Of the specimen, out of plane: multiplies forces and "
+                      "energies, never stresses. Ignored in 3-d. Unit: mm.",
+                      Patterns::Double(std::numeric_limits<double>::min()));
+    map.add_parameters(prm);
+    prm.leave_subsection();
+  }
+
+
+
+  MaterialParameters::Texts
+  MaterialParameters::texts() const
+  {
+    const std::string *values[] = {&lame_lambda,
+                                   &shear_modulus,
+                                   &youngs_modulus,
+                                   &poisson_ratio,
+                                   &bulk_modulus};
+    Texts              result;
+    for (std::size_t i = 0; i < elastic_names.size(); ++i)
+      if (!values[i]->empty())
+        result[elastic_names[i]] = *values[i];
+    result[toughness_name] = critical_energy_release_rate;
+    return result;
+  }
+
+
+
+  std::map<dealii::types::material_id, MaterialParameters::Texts>
+  MaterialParameters::texts_by_id() const
+  {
+    std::map<dealii::types::material_id, Texts> result;
+    for (const std::string &item : split_list(by_material_id, ';'))
+    {
+      const auto colon = item.find(':');
+      require(colon != std::string::npos,
+              by_id_name + ": " + in_quotes(item) +
+                " is not of the form 'id : name = value, ...'.");
+      const dealii::types::material_id id =
+        parsed_id(single_spaced(item.substr(0, colon)));
+      Texts      all           = parsed_texts(item.substr(colon + 1));
+      const bool replaces_pair = n_elastic(all) >= 2;
+      for (const auto &[name, text] : texts())
+        if (name == toughness_name || !replaces_pair)
+          all.emplace(name, text); // unless it is there
+      require(result.emplace(id, all).second,
+              by_id_name + ": the material id " + std::to_string(id) +
+                " is given twice.");
+    }
+    return result;
+  }
+
+
+
+  bool
+  MaterialParameters::varies() const
+  {
+    return !by_material_id.empty() ||
+           MaterialConstants(texts(), "Material/").varies();
+  }
+
+
+
+  MaterialValues
+  MaterialParameters::uniform_values() const
+  {
+    return MaterialConstants(texts(), "Material/").evaluate({});
+  }
+
+
+
+  void
+  MaterialParameters::check() const
+  {
+    const auto        given    = texts();
+    bool              uses_map = false;
+    MaterialConstants elsewhere(given, "Material/");
+    // with sets for material ids none may be needed for the rest; then a
+    // missing one is an error of the first cell that needs it
+    if (by_material_id.empty() && n_elastic(given) != 2)
+      elsewhere.evaluate({});
+    uses_map = elsewhere.uses_map();
+    for (const auto &[id, texts] : texts_by_id())
+    {
+      const std::string where = by_id_name + ": " + std::to_string(id) + ": ";
+      const MaterialConstants constants(texts, where);
+      require(n_elastic(texts) == 2,
+              by_id_name + ": " + std::to_string(id) + ": " +
+                std::to_string(n_elastic(texts)) +
+                " elastic constants, with those of the entries above; exactly "
+                "two are needed, out of " +
+                join_names(elastic_names) + ".");
+      uses_map = uses_map || constants.uses_map();
+    }
+    require(map.given() || !uses_map,
+            "Material/Map/File name: found nothing, but an expression of the "
+            "material uses 'map'. Allowed: the name of a picture or a table.");
+    require(uses_map || !map.given(),
+            "Material/Map/File name: found '" + map.file_name +
+              "', but no expression of the material uses 'map'. Allowed: "
+              "nothing, or expressions as '2.7*(1 + 3*map)'.");
+  }
+} // namespace MixedCracks
