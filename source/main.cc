@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include <core/case_signature.h>
 #include <core/command_line.h>
+#include <core/dimension.h>
 #include <core/parameter_file.h>
 #include <core/parameter_manual.h>
 #include <core/simulation.h>
@@ -19,8 +20,6 @@
 namespace
 {
   using namespace MixedCracks;
-
-  constexpr int dimension = 2;
 
   bool
   on_first_rank()
@@ -50,8 +49,7 @@ namespace
 
   // --help, --version and --parameters: say it and be done
   bool
-  answer_question(const CommandLine              &command,
-                  const dealii::ParameterHandler &prm)
+  answer_question(const CommandLine &command)
   {
     std::ostringstream out;
     if (command.help)
@@ -59,7 +57,13 @@ namespace
     else if (command.version)
       out << version_text();
     else if (command.parameters)
+    {
+      // those of 3-d are the same
+      Parameters<2>            parameters;
+      dealii::ParameterHandler prm;
+      parameters.add_parameters(prm);
       print_parameters(out, prm, *command.parameters);
+    }
     else
       return false;
     if (on_first_rank())
@@ -72,18 +76,19 @@ namespace
   // Errors of the user are kept until the simulation is gone: its timers and
   // its files must not be cleared away while an exception is on its way, and
   // a run that was refused before its first result leaves no files.
+  template <int dim>
   RunOutcome
-  simulate(const Parameters<dimension>                              &parameters,
-           const std::string                                        &effective,
-           const std::string                                        &signature,
-           const std::function<RunOutcome(Simulation<dimension> &)> &action)
+  simulate(const Parameters<dim>                              &parameters,
+           const std::string                                  &effective,
+           const std::string                                  &signature,
+           const std::function<RunOutcome(Simulation<dim> &)> &action)
   {
     const OutputTrace  trace(parameters.output.directory, MPI_COMM_WORLD);
     std::exception_ptr refusal, failure;
     RunOutcome         outcome;
     {
-      Log                   log(on_first_rank());
-      Simulation<dimension> simulation(
+      Log             log(on_first_rank());
+      Simulation<dim> simulation(
         parameters, effective, signature, MPI_COMM_WORLD, log);
       try
       {
@@ -114,17 +119,14 @@ namespace
 
 
 
+  template <int dim>
   int
-  run(const int argc, char **argv)
+  run_case(const CommandLine &command, const std::vector<SourceLine> &source)
   {
-    const CommandLine        command = parse_command_line(argc, argv);
-    Parameters<dimension>    parameters;
+    Parameters<dim>          parameters;
     dealii::ParameterHandler prm;
     parameters.add_parameters(prm);
-    if (answer_question(command, prm))
-      return 0;
-
-    read_parameters(command.file, command.set, prm, MPI_COMM_WORLD);
+    read_parameters(source, command.set, prm);
     if (command.output)
     {
       prm.enter_subsection("Output");
@@ -135,7 +137,7 @@ namespace
     std::ostringstream effective;
     print_parameters(effective, prm, "prm");
 
-    const auto action = [&command](Simulation<dimension> &simulation) {
+    const auto action = [&command](Simulation<dim> &simulation) {
       if (command.check)
       {
         simulation.preflight();
@@ -146,8 +148,24 @@ namespace
                                               : ExistingRun::refuse);
     };
     listen_for_stop_requests();
-    return simulate(parameters, effective.str(), case_signature(prm), action)
+    return simulate<dim>(
+             parameters, effective.str(), case_signature(prm), action)
       .exit_status;
+  }
+
+
+
+  int
+  run(const int argc, char **argv)
+  {
+    const CommandLine command = parse_command_line(argc, argv);
+    if (answer_question(command))
+      return 0;
+    const std::vector<SourceLine> source =
+      read_source(command.file, MPI_COMM_WORLD);
+    return chosen_dimension(source, command.set) == 3
+             ? run_case<3>(command, source)
+             : run_case<2>(command, source);
   }
 
 

@@ -2,6 +2,8 @@
 #ifndef mixed_cracks_core_parameter_file_h
 #define mixed_cracks_core_parameter_file_h
 
+#include <core/parameter_source.h>
+
 #include <deal.II/base/parameter_handler.h>
 
 #include <mpi.h>
@@ -26,6 +28,11 @@ namespace MixedCracks
                        const std::vector<std::string> &overrides,
                        dealii::ParameterHandler       &prm,
                        MPI_Comm                        comm);
+
+  /// The same from the statements that read_source() returned.
+  void read_parameters(const std::vector<SourceLine>  &source,
+                       const std::vector<std::string> &overrides,
+                       dealii::ParameterHandler       &prm);
 } // namespace MixedCracks
 
 #endif

@@ -40,6 +40,14 @@ namespace MixedCracks
     /// allocated. Throws InputError.
     void check() const;
 
+    /// What integrals over the mesh are multiplied with to get those over the
+    /// body: the thickness (mm) in 2-d, 1 in 3-d.
+    double
+    thickness_factor() const
+    {
+      return dim == 2 ? material.thickness : 1.;
+    }
+
     /// The boundary whose reaction is reported.
     std::string force_boundary() const;
   };

@@ -2,10 +2,11 @@
 #ifndef mixed_cracks_discretization_refinement_h
 #define mixed_cracks_discretization_refinement_h
 
+#include <core/flat_piece.h>
+
 #include <deal.II/base/bounding_box.h>
 #include <deal.II/grid/tria.h>
 
-#include <array>
 #include <vector>
 
 namespace MixedCracks
@@ -18,14 +19,13 @@ namespace MixedCracks
     unsigned int             levels;
   };
 
-  /// Refine cells within a distance of straight pieces, of a boundary for
-  /// example; a piece without length is a point, its surroundings a disc.
+  /// Refine cells within a distance of flat pieces, of a boundary for example.
   template <int dim>
   struct RefinementSurroundings
   {
-    std::vector<std::array<dealii::Point<dim>, 2>> pieces;   ///< mm
-    double                                         distance; ///< mm
-    unsigned int                                   levels;
+    std::vector<FlatPiece<dim>> pieces;   ///< mm
+    double                      distance; ///< mm
+    unsigned int                levels;
   };
 
   template <int dim>

@@ -17,7 +17,7 @@ namespace MixedCracks
 {
   /// Watches the phase field of a run in the plane for cracks: where they
   /// start, their paths per step, and what becomes of the body. In 3-d it does
-  /// nothing. Vectors have ghosts. Collective.
+  /// nothing, and the outcome is "not traced". Vectors have ghosts. Collective.
   template <int dim>
   class CrackObserver
   {

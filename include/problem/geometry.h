@@ -2,6 +2,7 @@
 #ifndef mixed_cracks_problem_geometry_h
 #define mixed_cracks_problem_geometry_h
 
+#include <core/flat_piece.h>
 #include <core/registry.h>
 
 #include <deal.II/base/bounding_box.h>
@@ -16,7 +17,7 @@
 
 namespace MixedCracks
 {
-  /// A straight piece of a crack, in mm.
+  /// A straight crack, in mm.
   template <int dim>
   struct Segment
   {
@@ -51,30 +52,53 @@ namespace MixedCracks
     /// cannot be read.
     virtual void create(dealii::Triangulation<dim> &triangulation) const = 0;
 
-    /// Points of interest by name; mm.
-    virtual std::map<std::string, dealii::Point<dim>>
-    named_points() const
+    /// Places of interest by name, as the tip of a slit: points in 2-d, in 3-d
+    /// the lines that they become; mm.
+    virtual std::map<std::string, FlatPiece<dim>>
+    named_places() const
     {
       return {};
     }
 
-    /// The names of boundaries and points.
+    /// The names of boundaries and places.
     std::vector<std::string> names() const;
 
     /// Slits of the mesh (doubled nodes): the phase field is 0 on them.
-    virtual std::vector<Segment<dim>>
+    virtual std::vector<FlatPiece<dim>>
     slits() const
     {
       return {};
     }
+
+    /// Where the thickness of a plane figure in 3-d is read from, mm; 1 by
+    /// default. The number must outlive the geometry.
+    void
+    take_thickness_from(const double &source)
+    {
+      thickness_source = &source;
+    }
+
+  protected:
+    /// mm
+    double
+    thickness() const
+    {
+      return *thickness_source;
+    }
+
+  private:
+    static constexpr double unit_thickness   = 1.;
+    const double           *thickness_source = &unit_thickness;
   };
 
-  /// Geometries by name; the name in lower case but for its first letter is
-  /// that of its subsection ("punctured strip": "Punctured strip").
+  /// Geometries of a dimension by name; the name in lower case but for its
+  /// first letter is that of its subsection ("punctured strip": "Punctured
+  /// strip").
   template <int dim>
   const Registry<Geometry<dim>> &all_geometries();
 
-  /// Subsection "Geometry": the name, and a subsection for each geometry.
+  /// Subsection "Geometry": the dimension, the name, and a subsection for each
+  /// geometry, of both dimensions: the entries are the same in 2-d and in 3-d.
   template <int dim>
   class GeometryParameters
   {
@@ -84,7 +108,11 @@ namespace MixedCracks
     /// Enters the subsection itself.
     void add_parameters(dealii::ParameterHandler &prm);
 
-    /// Checks the chosen geometry only.
+    /// See Geometry::take_thickness_from().
+    void take_thickness_from(const double &thickness);
+
+    /// Checks the chosen geometry only. Throws InputError when this dimension
+    /// has none of that name.
     void check() const;
 
     /// Its name in the .prm.
@@ -98,8 +126,13 @@ namespace MixedCracks
     const Geometry<dim> &chosen() const;
 
   private:
+    static constexpr int other_dim = 5 - dim;
+
+    std::string                                           dimension = "2";
     std::string                                           name;
     std::map<std::string, std::unique_ptr<Geometry<dim>>> geometries;
+    /// those that this dimension does not have, for their entries
+    std::map<std::string, std::unique_ptr<Geometry<other_dim>>> elsewhere;
   };
 } // namespace MixedCracks
 

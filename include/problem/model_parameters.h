@@ -36,8 +36,9 @@ namespace MixedCracks
     /// Enters the subsection itself.
     void add_parameters(dealii::ParameterHandler &prm);
 
-    /// Throws InputError for values that cannot be combined.
-    void check() const;
+    /// Throws InputError for values that cannot be combined in a @p dim
+    /// -dimensional problem.
+    void check(int dim = 2) const;
 
     bool
     mixed() const

@@ -79,9 +79,19 @@ namespace MixedCracks
                   dealii::ParameterHandler       &prm,
                   const MPI_Comm                  comm)
   {
+    read_parameters(read_source(file_name, comm), overrides, prm);
+  }
+
+
+
+  void
+  read_parameters(const std::vector<SourceLine>  &source,
+                  const std::vector<std::string> &overrides,
+                  dealii::ParameterHandler       &prm)
+  {
     const ParameterTree tree(prm);
     ParameterParser     parser(tree);
-    parser.parse_file(read_source(file_name, comm));
+    parser.parse_file(source);
     for (const std::string &text : overrides)
       parser.parse_override(text);
     throw_if_any(parser.errors());

@@ -11,6 +11,7 @@ namespace MixedCracks
     mesh.add_parameters(prm);
     model.add_parameters(prm);
     material.add_parameters(prm);
+    geometry.take_thickness_from(material.thickness);
     boundary_conditions.add_parameters(prm);
     initial_cracks.add_parameters(prm);
     load.add_parameters(prm);
@@ -40,12 +41,17 @@ namespace MixedCracks
   {
     geometry.check();
     mesh.check(geometry.chosen().extent(), geometry.chosen().names());
-    model.check();
+    model.check(dim);
     material.check();
     const auto boundaries = geometry.chosen().boundary_ids();
     boundary_conditions.check(boundaries);
     initial_cracks.check();
     load.check();
+    if (dim == 3 && load.stop_when_separated)
+      throw InputError("Load stepping/Stop when separated: found true with "
+                       "Geometry/Dimension = 3, allowed is false: paths of "
+                       "cracks are known in 2-d only. Load stepping/Stop when "
+                       "force falls below ends a run in 3-d.");
     output.check();
 
     std::vector<std::string> prescribed;
@@ -66,4 +72,5 @@ namespace MixedCracks
 
 
   template struct Parameters<2>;
+  template struct Parameters<3>;
 } // namespace MixedCracks

@@ -274,4 +274,5 @@ namespace MixedCracks
 
 
   template class Simulation<2>;
+  template class Simulation<3>;
 } // namespace MixedCracks

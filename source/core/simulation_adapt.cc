@@ -34,8 +34,8 @@ namespace MixedCracks
     rule.threshold    = parameters.mesh.phase_field_threshold;
     rule.finest_level = parameters.mesh.finest_adaptive_level();
     rule.margin       = parameters.mesh.refinement_margin * length_scale;
-    // no crack runs before the first load step
-    if (!statistics.rows().empty())
+    // no crack runs before the first load step; fronts in 3-d have no tips
+    if (dim == 2 && !statistics.rows().empty())
       rule.lookahead = parameters.mesh.refinement_lookahead * length_scale;
     return rule;
   }
@@ -106,8 +106,13 @@ namespace MixedCracks
 
 
 
-  template AdaptationRule Simulation<2>::adaptation_rule() const;
-  template bool Simulation<2>::needs_finer_mesh(const LinearAlgebra::Vector &);
-  template void Simulation<2>::refine_initial_mesh();
-  template void Simulation<2>::refine(State &, State &);
+#define INSTANTIATE(dim)                                            \
+  template AdaptationRule Simulation<dim>::adaptation_rule() const; \
+  template bool           Simulation<dim>::needs_finer_mesh(        \
+    const LinearAlgebra::Vector &);                       \
+  template void Simulation<dim>::refine_initial_mesh();             \
+  template void Simulation<dim>::refine(State &, State &);
+  INSTANTIATE(2)
+  INSTANTIATE(3)
+#undef INSTANTIATE
 } // namespace MixedCracks

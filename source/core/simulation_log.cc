@@ -10,9 +10,15 @@ namespace MixedCracks
 
   namespace
   {
-    // bytes per degree of freedom that a direct solution was seen to need,
-    // factors of the (u, p) matrix included (doc/performance.md)
-    constexpr double bytes_per_dof = 3500.;
+    // bytes that a direct solution was seen to need, factors of the (u, p)
+    // matrix included (doc/performance.md); in 3-d their number grows with the
+    // power 4/3 of that of the dofs
+    template <int dim>
+    double
+    bytes_of_direct_solution(const double n_dofs)
+    {
+      return dim == 2 ? 3500. * n_dofs : 450. * std::pow(n_dofs, 4. / 3.);
+    }
 
     std::string
     locking_in_words(const MaterialRange &given, const bool mixed)
@@ -59,7 +65,8 @@ namespace MixedCracks
     const ModelParameters     &model     = parameters.model;
     const MaterialDescription &constants = material->description();
     case_in_words = parameters.geometry.name_of_chosen() + ", " +
-                    model.formulation + ", " + model.kinematics + ", " +
+                    model.formulation + ", " +
+                    (dim == 2 ? model.kinematics : "3-d") + ", " +
                     model.crack_density + ", split " + model.energy_split +
                     ", " + model.pressure_law + ", coupling " + model.coupling;
     log.line(std::string("mixed-cracks ") + MIXED_CRACKS_VERSION +
@@ -84,7 +91,7 @@ namespace MixedCracks
     log.line(locking_in_words(material_range, model.mixed()));
     log.line(printed("memory: about %.2g GB with the direct solver, all ranks "
                      "together",
-                     1e-9 * bytes_per_dof * fields.n_dofs()));
+                     1e-9 * bytes_of_direct_solution<dim>(fields.n_dofs())));
   }
 
 
@@ -111,12 +118,13 @@ namespace MixedCracks
         "coupling '" + parameters.model.coupling +
         "': a running crack advances about one cell per load step, which acts "
         "as a rate effect");
-    if (parameters.model.mixed() && dim == 2 &&
-        parameters.model.kinematics == "plane strain" &&
+    const std::string kinematics =
+      dim == 2 ? parameters.model.kinematics : "3-d";
+    if (parameters.model.mixed() && kinematics != "plane stress" &&
         parameters.model.pressure_law != "relaxed bulk" && stiffest_ratio > 50.)
       warnings.push_back("pressure law '" + parameters.model.pressure_law +
-                         "' in nearly incompressible plane strain: cracks "
-                         "hardly open, see doc/model.md, section 3");
+                         "' in a nearly incompressible solid (" + kinematics +
+                         "): cracks hardly open, see doc/model.md, section 3");
     for (const std::string &warning : warnings)
       log.line("warning: " + warning);
   }
@@ -231,11 +239,15 @@ namespace MixedCracks
 
 
 
-  template double Simulation<2>::cell_size_at_cracks() const;
-  template void   Simulation<2>::log_header();
-  template void   Simulation<2>::collect_warnings();
-  template void   Simulation<2>::preflight();
-  template void   Simulation<2>::log_step(const StatisticsRow &);
-  template void   Simulation<2>::check_energy_balance();
-  template void   Simulation<2>::log_end(const RunOutcome &, const Summary &);
+#define INSTANTIATE(dim)                                            \
+  template double Simulation<dim>::cell_size_at_cracks() const;     \
+  template void   Simulation<dim>::log_header();                    \
+  template void   Simulation<dim>::collect_warnings();              \
+  template void   Simulation<dim>::preflight();                     \
+  template void   Simulation<dim>::log_step(const StatisticsRow &); \
+  template void   Simulation<dim>::check_energy_balance();          \
+  template void   Simulation<dim>::log_end(const RunOutcome &, const Summary &);
+  INSTANTIATE(2)
+  INSTANTIATE(3)
+#undef INSTANTIATE
 } // namespace MixedCracks

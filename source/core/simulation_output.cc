@@ -37,7 +37,7 @@ namespace MixedCracks
                           const StepOutcome &outcome)
   {
     std::optional<TimerOutput::Scope> scope(std::in_place, timer, "output");
-    const double                      thickness = parameters.material.thickness;
+    const double                      thickness = parameters.thickness_factor();
     StatisticsRow                     row;
     row.step         = static_cast<unsigned int>(statistics.rows().size());
     row.time         = state.time;
@@ -156,6 +156,8 @@ namespace MixedCracks
       outcome.reason = "end time reached";
     Summary summary = summarize(outcome);
     summary.cracks  = crack_observer.finish(last.phase_field);
+    if (dim == 3 && separated)
+      summary.cracks.path = "separated";
     if (Utilities::MPI::this_mpi_process(communicator) == 0)
       write_summary(parameters.output.directory + "/summary.json",
                     summary,
@@ -178,7 +180,7 @@ namespace MixedCracks
     summary.coupling           = parameters.model.coupling;
     summary.pressure_law       = parameters.model.pressure_law;
     summary.formulation        = parameters.model.formulation;
-    summary.kinematics         = parameters.model.kinematics;
+    summary.kinematics         = dim == 2 ? parameters.model.kinematics : "3-d";
     summary.linear_solver      = elastic_step->linear_solver().package();
     summary.ranks              = Utilities::MPI::n_mpi_processes(communicator);
     summary.cell_size          = cell_size;
@@ -200,12 +202,16 @@ namespace MixedCracks
 
 
 
-  template void Simulation<2>::prepare_output(ExistingRun);
-  template void
-  Simulation<2>::record(const State &, const State &, const StepOutcome &);
-  template double     Simulation<2>::smallest_phase_field(const State &) const;
-  template void       Simulation<2>::write_fields_when_due(const State &);
-  template void       Simulation<2>::write_fields(const State &, unsigned int);
-  template RunOutcome Simulation<2>::finish(const State &, Progress);
-  template Summary    Simulation<2>::summarize(const RunOutcome &);
+#define INSTANTIATE(dim)                                                      \
+  template void Simulation<dim>::prepare_output(ExistingRun);                 \
+  template void Simulation<dim>::record(                                      \
+    const State &, const State &, const StepOutcome &);                       \
+  template double Simulation<dim>::smallest_phase_field(const State &) const; \
+  template void   Simulation<dim>::write_fields_when_due(const State &);      \
+  template void   Simulation<dim>::write_fields(const State &, unsigned int); \
+  template RunOutcome Simulation<dim>::finish(const State &, Progress);       \
+  template Summary    Simulation<dim>::summarize(const RunOutcome &);
+  INSTANTIATE(2)
+  INSTANTIATE(3)
+#undef INSTANTIATE
 } // namespace MixedCracks

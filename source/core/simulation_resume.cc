@@ -78,7 +78,11 @@ namespace MixedCracks
 
 
 
-  template bool  Simulation<2>::stop_now() const;
-  template void  Simulation<2>::write_checkpoint(const State &);
-  template State Simulation<2>::resumed_state();
+#define INSTANTIATE(dim)                                           \
+  template bool  Simulation<dim>::stop_now() const;                \
+  template void  Simulation<dim>::write_checkpoint(const State &); \
+  template State Simulation<dim>::resumed_state();
+  INSTANTIATE(2)
+  INSTANTIATE(3)
+#undef INSTANTIATE
 } // namespace MixedCracks

@@ -17,22 +17,37 @@ namespace MixedCracks
 
   namespace
   {
-    // the two halves of every face, so that curved boundaries are met
+    // the part of a face between one of its vertices and its middle: halves
+    // in 2-d, quarters in 3-d
+    template <int dim, typename Face>
+    FlatPiece<dim>
+    part_of_face(const Face &face, const unsigned int vertex)
+    {
+      if constexpr (dim == 2)
+        return {{{face->vertex(vertex), face->center(true)}}};
+      else
+        // lines 0 and 1 run in the second direction of the face
+        return {{{face->vertex(vertex),
+                  face->line(2 + vertex / 2)->center(true),
+                  face->line(vertex % 2)->center(true),
+                  face->center(true)}}};
+    }
+
+
+
+    // every face in parts, so that curved boundaries are met
     template <int dim>
-    std::vector<std::array<Point<dim>, 2>>
+    std::vector<FlatPiece<dim>>
     pieces_of_boundary(const Triangulation<dim> &triangulation,
                        const types::boundary_id  id)
     {
-      std::vector<std::array<Point<dim>, 2>> pieces;
+      std::vector<FlatPiece<dim>> pieces;
       for (const auto &cell : triangulation.cell_iterators_on_level(0))
         for (const unsigned int f : cell->face_indices())
           if (cell->face(f)->at_boundary() &&
               cell->face(f)->boundary_id() == id)
-          {
-            const Point<dim> middle = cell->face(f)->center(true);
             for (const unsigned int v : cell->face(f)->vertex_indices())
-              pieces.push_back({{cell->face(f)->vertex(v), middle}});
-          }
+              pieces.push_back(part_of_face<dim>(cell->face(f), v));
       return pieces;
     }
 
@@ -51,17 +66,16 @@ namespace MixedCracks
           {BoundingBox<dim>({box.lower, box.upper}), box.levels});
       for (const RefinedDisc<dim> &disc : regions.refined_discs())
         result.surroundings.push_back(
-          {{{{disc.center, disc.center}}}, disc.radius, disc.levels});
-      const auto points     = geometry.named_points();
+          {{FlatPiece<dim>::point(disc.center)}, disc.radius, disc.levels});
+      const auto places     = geometry.named_places();
       const auto boundaries = geometry.boundary_ids();
       for (const RefinedSurroundings &named : regions.refined_surroundings())
       {
-        const auto point = points.find(named.name);
+        const auto place = places.find(named.name);
         result.surroundings.push_back(
-          {point == points.end()
+          {place == places.end()
              ? pieces_of_boundary(triangulation, boundaries.at(named.name))
-             : std::vector<std::array<Point<dim>, 2>>{{{point->second,
-                                                        point->second}}},
+             : std::vector<FlatPiece<dim>>{place->second},
            named.distance,
            named.levels});
       }
@@ -181,7 +195,7 @@ namespace MixedCracks
                       const Point<dim>             &position,
                       const double                  size) {
                     // slits are mesh lines; cracks need not be
-                    for (const Segment<dim> &slit : slits)
+                    for (const FlatPiece<dim> &slit : slits)
                       if (distance(position, slit) <= 1e-6 * size)
                         values(dof) = 0.;
                     for (const Segment<dim> &crack : cracks)
@@ -205,25 +219,29 @@ namespace MixedCracks
     if (margin == 0.)
       return frozen;
     // the coarse mesh is known to every rank, and its boundary with
-    // prescribed displacement consists of straight faces
+    // prescribed displacement consists of flat faces
     const auto ids = parameters.geometry.chosen().boundary_ids();
     std::set<types::boundary_id> clamped;
     for (const auto &entry : parameters.boundary_conditions.displacements())
       if (entry.component < dim)
         clamped.insert(ids.at(entry.boundary));
-    std::vector<Segment<dim>> faces;
+    std::vector<FlatPiece<dim>> faces;
     for (const auto &cell :
          fields.phase_field.get_triangulation().cell_iterators_on_level(0))
       for (const unsigned int face : cell->face_indices())
         if (cell->face(face)->at_boundary() &&
             clamped.count(cell->face(face)->boundary_id()) > 0)
-          faces.push_back(
-            {cell->face(face)->vertex(0), cell->face(face)->vertex(1)});
+        {
+          FlatPiece<dim> piece;
+          for (const unsigned int v : cell->face(face)->vertex_indices())
+            piece.corners[v] = cell->face(face)->vertex(v);
+          faces.push_back(piece);
+        }
     for_each_node(fields,
                   [&](const types::global_dof_index dof,
                       const Point<dim>             &position,
                       const double                  size) {
-                    for (const Segment<dim> &face : faces)
+                    for (const FlatPiece<dim> &face : faces)
                       if (distance(position, face) <= margin + 1e-6 * size)
                       {
                         frozen.add_index(dof);
@@ -298,5 +316,6 @@ namespace MixedCracks
   template std::map<types::global_dof_index, double> prescribed_phase_field( \
     const Parameters<dim> &, const Fields<dim> &, double);
   INSTANTIATE(2)
+  INSTANTIATE(3)
 #undef INSTANTIATE
 } // namespace MixedCracks

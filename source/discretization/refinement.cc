@@ -27,20 +27,6 @@ namespace MixedCracks
 
 
     template <int dim>
-    double
-    distance(const dealii::Point<dim>                &point,
-             const std::array<dealii::Point<dim>, 2> &piece)
-    {
-      const dealii::Tensor<1, dim> direction = piece[1] - piece[0];
-      const double                 square    = direction.norm_square();
-      const double                 part =
-        square > 0. ? (point - piece[0]) * direction / square : 0.;
-      return point.distance(piece[0] + std::clamp(part, 0., 1.) * direction);
-    }
-
-
-
-    template <int dim>
     bool
     is_near(const dealii::TriaIterator<dealii::CellAccessor<dim>> &cell,
             const RefinementSurroundings<dim>                     &region)
@@ -104,4 +90,7 @@ namespace MixedCracks
   template void refine_globally_and_in_regions(dealii::Triangulation<2> &,
                                                unsigned int,
                                                const RefinementRegions<2> &);
+  template void refine_globally_and_in_regions(dealii::Triangulation<3> &,
+                                               unsigned int,
+                                               const RefinementRegions<3> &);
 } // namespace MixedCracks

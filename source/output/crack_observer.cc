@@ -295,6 +295,8 @@ namespace MixedCracks
     const std::vector<Crack>        cracks = trace(phase_field, edges);
     Outcome                         outcome;
     std::string                     message;
+    if (dim == 3)
+      outcome = {"not traced", "not traced"};
     if (file)
     {
       outcome = classify(cracks, edges, damage_origins.nuclei(), length_scale);

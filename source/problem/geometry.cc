@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
+#include <core/dimension.h>
 #include <problem/geometries/l_shape.h>
 #include <problem/geometries/mesh_file.h>
 #include <problem/geometries/punctured_strip.h>
@@ -8,31 +9,55 @@
 
 #include <deal.II/base/patterns.h>
 
+#include <algorithm>
 #include <cctype>
 
 namespace MixedCracks
 {
-  template <int dim>
-  const Registry<Geometry<dim>> &
-  all_geometries()
+  template <>
+  const Registry<Geometry<2>> &
+  all_geometries<2>()
   {
-    static const Registry<Geometry<dim>> geometries(
+    static const Registry<Geometry<2>> geometries(
       "geometry",
       {{"punctured strip",
         "a strip with a circular hole and a sharp notch, either optional",
-        [] { return std::make_unique<PuncturedStrip<dim>>(); }},
+        [] { return std::make_unique<PuncturedStrip<2>>(); }},
        {"slit square",
         "a square with a sharp slit from its left edge",
-        [] { return std::make_unique<SlitSquare<dim>>(); }},
+        [] { return std::make_unique<SlitSquare<2>>(); }},
        {"rectangle",
         "a box between two corners",
-        [] { return std::make_unique<Rectangle<dim>>(); }},
+        [] { return std::make_unique<Rectangle<2>>(); }},
        {"L-shape",
         "a square without its lower right quadrant",
-        [] { return std::make_unique<LShape<dim>>(); }},
+        [] { return std::make_unique<LShape<2>>(); }},
        {"mesh file",
         "a mesh of quadrilaterals from a Gmsh, Abaqus or UCD file",
-        [] { return std::make_unique<MeshFile<dim>>(); }}});
+        [] { return std::make_unique<MeshFile<2>>(); }}});
+    return geometries;
+  }
+
+
+
+  template <>
+  const Registry<Geometry<3>> &
+  all_geometries<3>()
+  {
+    static const Registry<Geometry<3>> geometries(
+      "geometry",
+      {{"punctured strip",
+        "the strip of 2-d, of the thickness of the material",
+        [] { return std::make_unique<PuncturedStrip<3>>(); }},
+       {"slit cube",
+        "a cube with a sharp plane slit from its left face",
+        [] { return std::make_unique<SlitSquare<3>>(); }},
+       {"box",
+        "a box between two corners",
+        [] { return std::make_unique<Rectangle<3>>(); }},
+       {"L-shape", "the L-shape of 2-d, of the thickness of the material", [] {
+          return std::make_unique<LShape<3>>();
+        }}});
     return geometries;
   }
 
@@ -47,6 +72,19 @@ namespace MixedCracks
         static_cast<char>(std::toupper(static_cast<unsigned char>(name[0])));
       return name;
     }
+
+
+
+    // those of 2-d, then the others
+    std::vector<std::string>
+    names_of_both_dimensions()
+    {
+      std::vector<std::string> names = all_geometries<2>().names();
+      for (const std::string &name : all_geometries<3>().names())
+        if (std::find(names.begin(), names.end(), name) == names.end())
+          names.push_back(name);
+      return names;
+    }
   } // namespace
 
 
@@ -57,6 +95,9 @@ namespace MixedCracks
   {
     for (const std::string &each : all_geometries<dim>().names())
       geometries[each] = all_geometries<dim>().make(each);
+    for (const std::string &each : all_geometries<other_dim>().names())
+      if (geometries.count(each) == 0)
+        elsewhere[each] = all_geometries<other_dim>().make(each);
   }
 
 
@@ -65,17 +106,23 @@ namespace MixedCracks
   void
   GeometryParameters<dim>::add_parameters(dealii::ParameterHandler &prm)
   {
-    const auto &all = all_geometries<dim>();
+    const std::vector<std::string> names = names_of_both_dimensions();
     prm.enter_subsection("Geometry");
-    prm.add_parameter("Name",
-                      name,
-                      "The domain. " + all.documentation() +
-                        " Only the subsection of the chosen one is used.",
-                      dealii::Patterns::Selection(all.selection()));
-    for (const std::string &each : all.names())
+    add_dimension(prm, dimension);
+    prm.add_parameter(
+      "Name",
+      name,
+      "The domain. In 2-d: " + all_geometries<2>().documentation() +
+        " In 3-d: " + all_geometries<3>().documentation() +
+        " Only the subsection of the chosen one is used.",
+      dealii::Patterns::Selection(join_names(names, "|")));
+    for (const std::string &each : names)
     {
       prm.enter_subsection(subsection_name(each));
-      geometries.at(each)->add_parameters(prm);
+      if (geometries.count(each) > 0)
+        geometries.at(each)->add_parameters(prm);
+      else
+        elsewhere.at(each)->add_parameters(prm);
       prm.leave_subsection();
     }
     prm.leave_subsection();
@@ -85,8 +132,24 @@ namespace MixedCracks
 
   template <int dim>
   void
+  GeometryParameters<dim>::take_thickness_from(const double &thickness)
+  {
+    for (const auto &each : geometries)
+      each.second->take_thickness_from(thickness);
+  }
+
+
+
+  template <int dim>
+  void
   GeometryParameters<dim>::check() const
   {
+    if (elsewhere.count(name) > 0)
+      throw InputError(
+        "Geometry/Name: found '" + name + "', which there is in " +
+        std::to_string(other_dim) +
+        "-d only, with Geometry/Dimension = " + std::to_string(dim) +
+        "; allowed are " + join_names(all_geometries<dim>().names()) + ".");
     chosen().check();
   }
 
@@ -101,7 +164,6 @@ namespace MixedCracks
 
 
 
-  template const Registry<Geometry<2>> &all_geometries<2>();
   template <int dim>
   std::vector<std::string>
   Geometry<dim>::names() const
@@ -109,13 +171,15 @@ namespace MixedCracks
     std::vector<std::string> result;
     for (const auto &boundary : boundary_ids())
       result.push_back(boundary.first);
-    for (const auto &point : named_points())
-      result.push_back(point.first);
+    for (const auto &place : named_places())
+      result.push_back(place.first);
     return result;
   }
 
 
 
   template class Geometry<2>;
+  template class Geometry<3>;
   template class GeometryParameters<2>;
+  template class GeometryParameters<3>;
 } // namespace MixedCracks

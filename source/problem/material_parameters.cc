@@ -124,8 +124,11 @@ namespace MixedCracks
       Patterns::Anything());
     prm.add_parameter("Thickness",
                       thickness,
-                      "Of the specimen, out of plane: multiplies forces and "
-                      "energies, never stresses. Ignored in 3-d. Unit: mm.",
+                      "Of the specimen, out of plane. In 2-d it multiplies "
+                      "forces and energies, never stresses. In 3-d it is the "
+                      "extent in z of the geometries that are plane figures "
+                      "made thick (punctured strip, L-shape), and forces and "
+                      "energies are those of the whole body. Unit: mm.",
                       Patterns::Double(std::numeric_limits<double>::min()));
     map.add_parameters(prm);
     prm.leave_subsection();

@@ -45,7 +45,8 @@ namespace MixedCracks
                       refinement_lookahead,
                       "Where the tip of a crack meets coarse cells, those up "
                       "to this distance straight ahead of it are refined too, "
-                      "within the margin. 0: off. Unit: Model/Length scale.",
+                      "within the margin. 0: off. Ignored in 3-d, where the "
+                      "margin has to do. Unit: Model/Length scale.",
                       Double(0.));
     prm.leave_subsection();
   }
@@ -68,4 +69,5 @@ namespace MixedCracks
 
 
   template struct MeshParameters<2>;
+  template struct MeshParameters<3>;
 } // namespace MixedCracks

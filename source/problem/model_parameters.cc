@@ -74,7 +74,8 @@ namespace MixedCracks
       prm.add_parameter("Deviator dimension",
                         model.deviator_dimension,
                         "n of (M3): eps - tr(eps)/n I; 'auto': 3 in plane "
-                        "strain and in 3-d, 2 in plane stress.",
+                        "strain, 2 in plane stress. Ignored in 3-d, where it "
+                        "is 3.",
                         Patterns::Selection("auto|2|3"));
       prm.add_parameter(
         "Pressure law",
@@ -174,13 +175,13 @@ namespace MixedCracks
 
 
   void
-  ModelParameters::check() const
+  ModelParameters::check(const int dim) const
   {
     if (mixed() && displacement_degree == "1")
       throw InputError("Model/Displacement degree: found 1 with "
                        "Model/Formulation = mixed; the pair Q1-Q1 for u and p "
                        "is not stable. Allowed: auto, 2.");
-    if (kinematics == "plane stress" && deviator_dimension == "3")
+    if (dim == 2 && kinematics == "plane stress" && deviator_dimension == "3")
       throw InputError("Model/Deviator dimension: found 3 with "
                        "Model/Kinematics = plane stress, whose law acts in the "
                        "plane. Allowed: auto, 2.");

@@ -131,12 +131,13 @@ namespace MixedCracks
                       boxes,
                       "Boxes whose cells are halved further: 'lower corner : "
                       "upper corner : levels ; ...', corners in mm, as in "
-                      "'0,10 : 20,22 : 1'.",
+                      "'0,10 : 20,22 : 1', in 3-d '0,10,0 : 20,22,2 : 1'.",
                       dealii::Patterns::Anything());
     prm.add_parameter("Refined discs",
                       discs,
-                      "The same in discs: 'centre : radius : levels ; ...', "
-                      "in mm, as in '12,18 : 5 : 1'.",
+                      "The same in discs, in 3-d in balls: 'centre : radius : "
+                      "levels ; ...', in mm, as in '12,18 : 5 : 1', in 3-d "
+                      "'12,18,1 : 5 : 1'.",
                       dealii::Patterns::Anything());
     prm.add_parameter("Refined surroundings",
                       surroundings,
@@ -252,6 +253,9 @@ namespace MixedCracks
 
 
   template struct RefinedBox<2>;
+  template struct RefinedBox<3>;
   template struct RefinedDisc<2>;
+  template struct RefinedDisc<3>;
   template struct RefinedRegions<2>;
+  template struct RefinedRegions<3>;
 } // namespace MixedCracks

@@ -14,6 +14,7 @@
 // and the coupling are stopped by tolerances, and the order of sums depends on
 // the machine; agreement to more digits means nothing.
 #include <core/case_signature.h>
+#include <core/dimension.h>
 #include <core/parameter_file.h>
 #include <core/parameter_manual.h>
 #include <core/simulation.h>
@@ -28,12 +29,11 @@ namespace
 {
   using namespace MixedCracks;
 
-  constexpr int dimension = 2;
-
   const std::vector<std::string> compared = {"time_s",
                                              "displacement_mm",
                                              "force_x_N",
                                              "force_y_N",
+                                             "force_z_N",
                                              "elastic_energy_mJ",
                                              "crack_energy_mJ",
                                              "external_work_mJ",
@@ -132,21 +132,22 @@ namespace
 
 
 
+  template <int dim>
   void
-  run(const std::string &file)
+  run(const std::vector<SourceLine> &source)
   {
-    Parameters<dimension>    parameters;
+    Parameters<dim>          parameters;
     dealii::ParameterHandler prm;
     parameters.add_parameters(prm);
-    read_parameters(file, {"Output/Directory=results"}, prm, MPI_COMM_WORLD);
+    read_parameters(source, {"Output/Directory=results"}, prm);
     parameters.check();
     std::ostringstream effective;
     print_parameters(effective, prm, "prm");
 
     RunOutcome outcome;
     {
-      Log                   log(/*active=*/false);
-      Simulation<dimension> simulation(
+      Log             log(/*active=*/false);
+      Simulation<dim> simulation(
         parameters, effective.str(), case_signature(prm), MPI_COMM_WORLD, log);
       outcome = simulation.run(ExistingRun::overwrite);
     }
@@ -172,7 +173,11 @@ main(int argc, char **argv)
   {
     if (argc != 2)
       throw InputError("usage: regression_driver case.prm");
-    run(argv[1]);
+    const std::vector<SourceLine> source = read_source(argv[1], MPI_COMM_WORLD);
+    if (chosen_dimension(source, {}) == 3)
+      run<3>(source);
+    else
+      run<2>(source);
     return 0;
   }
   catch (const std::exception &error)

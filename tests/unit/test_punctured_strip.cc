@@ -180,8 +180,8 @@ TEST(PuncturedStrip, SlitNodesAreDoubled)
                    vertex[0] < std::stod(length) + 1e-9;
     EXPECT_EQ(n_on_slit, 2 * n_doubled + 1);
     ASSERT_EQ(strip->slits().size(), 1u);
-    EXPECT_EQ(strip->slits()[0].end[0], std::stod(length));
-    EXPECT_EQ(strip->slits()[0].end[1], 12.);
+    EXPECT_EQ(strip->slits()[0].corners[1][0], std::stod(length));
+    EXPECT_EQ(strip->slits()[0].corners[1][1], 12.);
   }
 }
 

@@ -10,25 +10,35 @@
 
 namespace MixedCracks
 {
-  /// Ids of the sides of a box in the plane; what else a geometry has counts
-  /// on from n_box_sides.
+  /// Ids of the sides of a box, back (least z) and front in 3-d only; what else
+  /// a geometry has counts on from n_box_sides.
   enum BoxSide : dealii::types::boundary_id
   {
     left,
     right,
     bottom,
     top,
+    back,
+    front,
     n_box_sides
   };
 
-  inline std::map<std::string, dealii::types::boundary_id>
+  template <int dim>
+  std::map<std::string, dealii::types::boundary_id>
   box_side_ids()
   {
-    return {{"left", left}, {"right", right}, {"bottom", bottom}, {"top", top}};
+    std::map<std::string, dealii::types::boundary_id> ids = {
+      {"left", left}, {"right", right}, {"bottom", bottom}, {"top", top}};
+    if (dim == 3)
+    {
+      ids["back"]  = back;
+      ids["front"] = front;
+    }
+    return ids;
   }
 
-  /// The side of the box from the origin to (@p width, @p height) that @p p
-  /// lies on, if it does; mm.
+  /// The side of the box in the plane from the origin to (@p width,
+  /// @p height) that @p p lies on, if it does; mm.
   inline std::optional<BoxSide>
   box_side_at(const dealii::Point<2> &p,
               const double            width,

@@ -9,7 +9,8 @@ namespace MixedCracks
   /// The square [0, Size]^2 without its lower right quadrant. Boundaries:
   /// left, top, bottom (the foot of the left leg), right (the end of the
   /// upper leg); at the reentrant corner "reentrant horizontal" (under the
-  /// upper leg) and "reentrant vertical" (right of the left leg).
+  /// upper leg) and "reentrant vertical" (right of the left leg). In 3-d this
+  /// times [0, thickness], with the boundaries back (z = 0) and front.
   template <int dim>
   class LShape : public Geometry<dim>
   {
@@ -26,8 +27,12 @@ namespace MixedCracks
     void create(dealii::Triangulation<dim> &triangulation) const override;
 
   private:
-    double size      = 500.;
-    double cell_size = 25.;
+    /// The mesh in the plane, with boundary ids.
+    void create_plane(dealii::Triangulation<2> &plane) const;
+
+    double       size            = 500.;
+    double       cell_size       = 25.;
+    unsigned int thickness_cells = 1;
   };
 } // namespace MixedCracks
 

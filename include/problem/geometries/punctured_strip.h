@@ -10,7 +10,8 @@ namespace MixedCracks
   /// The strip [0, Width] x [0, Height] with a circular hole and a sharp
   /// notch from the left edge, either or both of them absent [Mang21,
   /// Section 4]. Boundaries: left, right, bottom, top, hole, and notch (both
-  /// faces of the slit).
+  /// faces of the slit). In 3-d this times [0, thickness], with the boundaries
+  /// back (z = 0) and front.
   template <int dim>
   class PuncturedStrip : public Geometry<dim>
   {
@@ -26,20 +27,24 @@ namespace MixedCracks
 
     void create(dealii::Triangulation<dim> &triangulation) const override;
 
-    std::map<std::string, dealii::Point<dim>> named_points() const override;
+    std::map<std::string, FlatPiece<dim>> named_places() const override;
 
-    std::vector<Segment<dim>> slits() const override;
+    std::vector<FlatPiece<dim>> slits() const override;
 
   private:
     void check_hole() const;
 
     void check_notch() const;
 
-    void set_boundary_ids(dealii::Triangulation<dim> &triangulation) const;
+    /// The mesh in the plane, with boundary ids.
+    void create_plane(dealii::Triangulation<2> &plane) const;
+
+    void set_boundary_ids(dealii::Triangulation<2> &plane) const;
 
     void set_manifolds(dealii::Triangulation<dim> &triangulation) const;
 
     StripMeasures measures;
+    unsigned int  thickness_cells = 1;
   };
 } // namespace MixedCracks
 

@@ -6,8 +6,8 @@
 
 namespace MixedCracks
 {
-  /// A box between two corners. Boundaries: left, right, bottom, top, and
-  /// in three dimensions back (least z) and front.
+  /// A box between two corners; "rectangle" in 2-d, "box" in 3-d. Boundaries:
+  /// left, right, bottom, top, and in 3-d back (least z) and front.
   template <int dim>
   class Rectangle : public Geometry<dim>
   {
@@ -26,7 +26,10 @@ namespace MixedCracks
   private:
     dealii::Point<dim> lower_corner;
     dealii::Point<dim> upper_corner = unit_corner();
-    double             cell_size    = 0.1;
+    double             cell_size    = dim == 2 ? 0.1 : 0.25;
+    std::string        cells; // in each direction; empty: by cell size
+
+    std::vector<unsigned int> n_cells() const;
 
     static dealii::Point<dim> unit_corner();
   };

@@ -7,8 +7,10 @@
 namespace MixedCracks
 {
   /// The square [0, Size]^2 with a sharp horizontal slit from the left edge:
-  /// the single-edge-notched specimen of [Miehe10] by default. Boundaries:
-  /// left, right, bottom, top, and slit (both faces of it).
+  /// the single-edge-notched specimen of [Miehe10] by default. In 3-d the cube
+  /// [0, Size]^3 with that slit through all of its depth. Boundaries: left,
+  /// right, bottom, top, slit (both faces of it), and in 3-d back (z = 0) and
+  /// front.
   template <int dim>
   class SlitSquare : public Geometry<dim>
   {
@@ -24,15 +26,18 @@ namespace MixedCracks
 
     void create(dealii::Triangulation<dim> &triangulation) const override;
 
-    std::map<std::string, dealii::Point<dim>> named_points() const override;
+    std::map<std::string, FlatPiece<dim>> named_places() const override;
 
-    std::vector<Segment<dim>> slits() const override;
+    std::vector<FlatPiece<dim>> slits() const override;
 
   private:
+    /// The mesh of the square, with boundary ids.
+    void create_square(dealii::Triangulation<2> &square) const;
+
     double size        = 1.;
     double slit_height = 0.5;
     double slit_length = 0.5;
-    double cell_size   = 0.05;
+    double cell_size   = dim == 2 ? 0.05 : 0.25;
   };
 } // namespace MixedCracks
 

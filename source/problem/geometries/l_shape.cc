@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include <problem/geometries/boundaries.h>
 #include <problem/geometries/checks.h>
+#include <problem/geometries/extrusion.h>
 #include <problem/geometries/l_shape.h>
 #include <problem/geometries/quad_mesh.h>
 
@@ -33,6 +34,7 @@ namespace MixedCracks
                       "Wanted size of the cells of the coarse mesh, before "
                       "refinement; mm.",
                       Double(0.));
+    add_thickness_cells(prm, thickness_cells);
   }
 
 
@@ -43,6 +45,9 @@ namespace MixedCracks
   {
     require_positive(size, subsection + "Size");
     require_cell_size(cell_size, {size, size}, subsection + "Cell size");
+    if (dim == 3)
+      require_thickness_cells(
+        thickness_cells, size * size / (cell_size * cell_size), subsection);
   }
 
 
@@ -51,7 +56,7 @@ namespace MixedCracks
   std::map<std::string, dealii::types::boundary_id>
   LShape<dim>::boundary_ids() const
   {
-    auto ids                    = box_side_ids();
+    auto ids                    = box_side_ids<dim>();
     ids["reentrant horizontal"] = reentrant_horizontal;
     ids["reentrant vertical"]   = reentrant_vertical;
     return ids;
@@ -63,7 +68,27 @@ namespace MixedCracks
   std::optional<dealii::BoundingBox<dim>>
   LShape<dim>::extent() const
   {
-    return dealii::BoundingBox<dim>({{0., 0.}, {size, size}});
+    return extruded_box<dim>(size, size, this->thickness());
+  }
+
+
+
+  template <int dim>
+  void
+  LShape<dim>::create_plane(dealii::Triangulation<2> &plane) const
+  {
+    const double              half  = size / 2.;
+    const std::vector<double> lines = grid_lines({0., half, size}, cell_size);
+    tensor_mesh(lines, lines, [half](const dealii::Point<2> &center) {
+      return center[0] > half && center[1] < half;
+    }).create(plane);
+
+    set_boundary_ids_by_center(plane, [&](const dealii::Point<2> &center) {
+      if (const auto side = box_side_at(center, size, size))
+        return dealii::types::boundary_id(*side);
+      return center[0] > half + 1e-9 * size ? reentrant_horizontal
+                                            : reentrant_vertical;
+    });
   }
 
 
@@ -72,22 +97,19 @@ namespace MixedCracks
   void
   LShape<dim>::create(dealii::Triangulation<dim> &triangulation) const
   {
-    const double              half  = size / 2.;
-    const std::vector<double> lines = grid_lines({0., half, size}, cell_size);
-    tensor_mesh(lines, lines, [half](const dealii::Point<dim> &center) {
-      return center[0] > half && center[1] < half;
-    }).create(triangulation);
-
-    set_boundary_ids_by_center(
-      triangulation, [&](const dealii::Point<dim> &center) {
-        if (const auto side = box_side_at(center, size, size))
-          return dealii::types::boundary_id(*side);
-        return center[0] > half + 1e-9 * size ? reentrant_horizontal
-                                              : reentrant_vertical;
-      });
+    if constexpr (dim == 2)
+      create_plane(triangulation);
+    else
+    {
+      dealii::Triangulation<2> plane;
+      create_plane(plane);
+      extrude(
+        plane, equal_layers(this->thickness(), thickness_cells), triangulation);
+    }
   }
 
 
 
   template class LShape<2>;
+  template class LShape<3>;
 } // namespace MixedCracks

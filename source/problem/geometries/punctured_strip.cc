@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include <problem/geometries/boundaries.h>
 #include <problem/geometries/checks.h>
+#include <problem/geometries/extrusion.h>
 #include <problem/geometries/punctured_strip.h>
 
 #include <deal.II/base/patterns.h>
@@ -36,7 +37,7 @@ namespace MixedCracks
     prm.add_parameter("Hole center",
                       measures.hole_center,
                       "Centre of the circular hole, x, y; mm.",
-                      List(Double(), dim, dim));
+                      List(Double(), 2, 2));
     prm.add_parameter("Hole radius",
                       measures.hole_radius,
                       "Radius of the hole; mm. 0: no hole.",
@@ -57,6 +58,7 @@ namespace MixedCracks
                       "Wanted size of the cells of the coarse mesh, before "
                       "refinement; mm.",
                       Double(0.));
+    add_thickness_cells(prm, thickness_cells);
   }
 
 
@@ -70,6 +72,11 @@ namespace MixedCracks
     require_cell_size(measures.cell_size,
                       {measures.width, measures.height},
                       subsection + "Cell size");
+    if (dim == 3)
+      require_thickness_cells(thickness_cells,
+                              measures.width * measures.height /
+                                (measures.cell_size * measures.cell_size),
+                              subsection);
     if (measures.has_hole())
       check_hole();
     if (measures.has_notch())
@@ -150,7 +157,7 @@ namespace MixedCracks
   std::map<std::string, dealii::types::boundary_id>
   PuncturedStrip<dim>::boundary_ids() const
   {
-    auto ids = box_side_ids();
+    auto ids = box_side_ids<dim>();
     if (measures.has_hole())
       ids["hole"] = hole;
     if (measures.has_notch())
@@ -164,8 +171,8 @@ namespace MixedCracks
   std::optional<dealii::BoundingBox<dim>>
   PuncturedStrip<dim>::extent() const
   {
-    return dealii::BoundingBox<dim>(
-      {{0., 0.}, {measures.width, measures.height}});
+    return extruded_box<dim>(
+      measures.width, measures.height, this->thickness());
   }
 
 
@@ -174,8 +181,15 @@ namespace MixedCracks
   void
   PuncturedStrip<dim>::create(dealii::Triangulation<dim> &triangulation) const
   {
-    strip_mesh(measures).create(triangulation);
-    set_boundary_ids(triangulation);
+    if constexpr (dim == 2)
+      create_plane(triangulation);
+    else
+    {
+      dealii::Triangulation<2> plane;
+      create_plane(plane);
+      extrude(
+        plane, equal_layers(this->thickness(), thickness_cells), triangulation);
+    }
     if (measures.has_hole())
       set_manifolds(triangulation);
   }
@@ -183,51 +197,92 @@ namespace MixedCracks
 
 
   template <int dim>
-  std::map<std::string, dealii::Point<dim>>
-  PuncturedStrip<dim>::named_points() const
+  std::map<std::string, FlatPiece<dim>>
+  PuncturedStrip<dim>::named_places() const
   {
     if (!measures.has_notch())
       return {};
-    return {{"notch tip", measures.notch_tip()}};
+    return {{"notch tip",
+             extruded_point<dim>(measures.notch_tip(), this->thickness())}};
   }
 
 
 
   template <int dim>
-  std::vector<Segment<dim>>
+  std::vector<FlatPiece<dim>>
   PuncturedStrip<dim>::slits() const
   {
     if (!measures.has_notch())
       return {};
-    return {
-      {dealii::Point<dim>(0., measures.notch_height), measures.notch_tip()}};
+    return {extruded_segment<dim>(
+      {0., measures.notch_height}, measures.notch_tip(), this->thickness())};
   }
 
 
 
   template <int dim>
   void
-  PuncturedStrip<dim>::set_boundary_ids(
-    dealii::Triangulation<dim> &triangulation) const
+  PuncturedStrip<dim>::create_plane(dealii::Triangulation<2> &plane) const
   {
-    const double tolerance = 1e-9 * (measures.width + measures.height);
-    set_boundary_ids_by_center(
-      triangulation, [&](const dealii::Point<dim> &center) {
-        if (const auto side =
-              box_side_at(center, measures.width, measures.height))
-          return dealii::types::boundary_id(*side);
-        const bool on_notch =
-          measures.has_notch() &&
-          std::abs(center[1] - measures.notch_height) < tolerance &&
-          center[0] < measures.notch_length;
-        return on_notch ? notch : hole;
-      });
+    strip_mesh(measures).create(plane);
+    set_boundary_ids(plane);
   }
 
 
 
-  // The hole is an exact circle; in the cells beside it new points are
-  // interpolated between the circle and the straight other sides.
+  template <int dim>
+  void
+  PuncturedStrip<dim>::set_boundary_ids(dealii::Triangulation<2> &plane) const
+  {
+    const double tolerance = 1e-9 * (measures.width + measures.height);
+    set_boundary_ids_by_center(plane, [&](const dealii::Point<2> &center) {
+      if (const auto side =
+            box_side_at(center, measures.width, measures.height))
+        return dealii::types::boundary_id(*side);
+      const bool on_notch =
+        measures.has_notch() &&
+        std::abs(center[1] - measures.notch_height) < tolerance &&
+        center[0] < measures.notch_length;
+      return on_notch ? notch : hole;
+    });
+  }
+
+
+
+  namespace
+  {
+    // circle in 2-d, cylinder along z in 3-d
+    template <int dim>
+    std::unique_ptr<dealii::Manifold<dim>>
+    round_hole(const dealii::Point<2> &center)
+    {
+      if constexpr (dim == 2)
+        return std::make_unique<dealii::SphericalManifold<2>>(center);
+      else
+        return std::make_unique<dealii::CylindricalManifold<3>>(
+          dealii::Tensor<1, 3>({0., 0., 1.}),
+          dealii::Point<3>(center[0], center[1], 0.));
+    }
+
+
+
+    // of a cell beside the hole; in 3-d its ends in z as well, whose plane
+    // holds a piece of the circle
+    template <typename Cell>
+    void
+    set_ring_manifold(const Cell &cell)
+    {
+      cell->set_manifold_id(ring_manifold);
+      if (Cell::AccessorType::dimension == 3)
+        for (const unsigned int face : {4, 5})
+          cell->face(face)->set_manifold_id(ring_manifold);
+    }
+  } // namespace
+
+
+
+  // The hole is exactly round; in the cells beside it new points are
+  // interpolated between the hole and the straight other sides.
   template <int dim>
   void
   PuncturedStrip<dim>::set_manifolds(
@@ -238,11 +293,12 @@ namespace MixedCracks
         if (cell->face(f)->at_boundary() &&
             cell->face(f)->boundary_id() == hole)
         {
-          cell->set_manifold_id(ring_manifold);
-          cell->face(f)->set_manifold_id(circle_manifold);
+          set_ring_manifold(cell);
+          // in 3-d with its edges
+          cell->face(f)->set_all_manifold_ids(circle_manifold);
         }
-    triangulation.set_manifold(
-      circle_manifold, dealii::SphericalManifold<dim>(measures.hole_center));
+    triangulation.set_manifold(circle_manifold,
+                               *round_hole<dim>(measures.hole_center));
     dealii::TransfiniteInterpolationManifold<dim> ring;
     ring.initialize(triangulation);
     triangulation.set_manifold(ring_manifold, ring);
@@ -251,4 +307,5 @@ namespace MixedCracks
 
 
   template class PuncturedStrip<2>;
+  template class PuncturedStrip<3>;
 } // namespace MixedCracks

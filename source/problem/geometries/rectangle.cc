@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
+#include <core/text.h>
+#include <problem/geometries/boundaries.h>
 #include <problem/geometries/checks.h>
 #include <problem/geometries/rectangle.h>
 
@@ -12,7 +14,12 @@ namespace MixedCracks
 {
   namespace
   {
-    const std::string subsection = "Geometry/Rectangle/";
+    template <int dim>
+    std::string
+    subsection()
+    {
+      return dim == 2 ? "Geometry/Rectangle/" : "Geometry/Box/";
+    }
   } // namespace
 
 
@@ -47,6 +54,13 @@ namespace MixedCracks
                       "Wanted size of the cells of the coarse mesh, before "
                       "refinement; mm.",
                       Double(0.));
+    prm.add_parameter(
+      "Cells",
+      cells,
+      std::string("Numbers of cells of the coarse mesh in ") +
+        (dim == 2 ? "x, y, as '4, 2'" : "x, y, z, as '4, 4, 1'") +
+        "; empty: as many as Cell size makes.",
+      Anything());
   }
 
 
@@ -64,11 +78,48 @@ namespace MixedCracks
     }
     for (const double extent : extents)
       require(std::isfinite(extent) && extent > 0.,
-              subsection + "Upper corner is " + point_text(upper) +
+              subsection<dim>() + "Upper corner is " + point_text(upper) +
                 "; every coordinate must be greater than that of the lower "
                 "corner, " +
                 point_text(lower) + ".");
-    require_cell_size(cell_size, extents, subsection + "Cell size");
+    if (cells.empty())
+      require_cell_size(cell_size, extents, subsection<dim>() + "Cell size");
+    else
+      n_cells();
+  }
+
+
+
+  template <int dim>
+  std::vector<unsigned int>
+  Rectangle<dim>::n_cells() const
+  {
+    std::vector<unsigned int> result;
+    if (cells.empty())
+    {
+      for (unsigned int d = 0; d < dim; ++d)
+        result.push_back(static_cast<unsigned int>(std::max(
+          1., std::round((upper_corner[d] - lower_corner[d]) / cell_size))));
+      return result;
+    }
+    const std::string parameter = subsection<dim>() + "Cells";
+    double            n_all     = 1.;
+    for (const double number : parse_numbers(cells, parameter))
+    {
+      require(number >= 1. && number == std::floor(number),
+              parameter + ": found " + number_text(number) +
+                ", allowed are integers from 1.");
+      n_all *= number;
+      require(n_all <= 1e6,
+              parameter + ": found " + in_quotes(cells) +
+                ", allowed are at most 1e+06 coarse cells in all (refine with "
+                "the subsection Mesh instead).");
+      result.push_back(static_cast<unsigned int>(number));
+    }
+    require(result.size() == dim,
+            parameter + ": found " + in_quotes(cells) + ", allowed are " +
+              std::to_string(dim) + " numbers.");
+    return result;
   }
 
 
@@ -77,14 +128,7 @@ namespace MixedCracks
   std::map<std::string, dealii::types::boundary_id>
   Rectangle<dim>::boundary_ids() const
   {
-    std::map<std::string, dealii::types::boundary_id> ids = {
-      {"left", 0}, {"right", 1}, {"bottom", 2}, {"top", 3}};
-    if (dim == 3)
-    {
-      ids["back"]  = 4;
-      ids["front"] = 5;
-    }
-    return ids;
+    return box_side_ids<dim>();
   }
 
 
@@ -102,16 +146,13 @@ namespace MixedCracks
   void
   Rectangle<dim>::create(dealii::Triangulation<dim> &triangulation) const
   {
-    std::vector<unsigned int> n_cells;
-    for (unsigned int d = 0; d < dim; ++d)
-      n_cells.push_back(static_cast<unsigned int>(std::max(
-        1., std::round((upper_corner[d] - lower_corner[d]) / cell_size))));
     // colorized: the boundary ids 0, 1 are those at the ends in x, and so on
     dealii::GridGenerator::subdivided_hyper_rectangle(
-      triangulation, n_cells, lower_corner, upper_corner, true);
+      triangulation, n_cells(), lower_corner, upper_corner, true);
   }
 
 
 
   template class Rectangle<2>;
+  template class Rectangle<3>;
 } // namespace MixedCracks
