@@ -11,6 +11,8 @@
 
 #include <output/checkpoint.h>
 #include <output/crack_observer.h>
+#include <output/crack_opening.h>
+#include <output/crack_opening_file.h>
 #include <output/directory.h>
 #include <output/field_output.h>
 #include <output/quantities.h>
@@ -98,6 +100,9 @@ namespace MixedCracks
     void
     record(const State &before, const State &state, const StepOutcome &outcome);
 
+    /// What is measured of open cracks.
+    void record_opening(const State &state, StatisticsRow &row);
+
     void write_fields(const State &state, unsigned int step);
 
     void write_fields_when_due(const State &state);
@@ -145,6 +150,8 @@ namespace MixedCracks
 
     BoundaryQuantities<dim>  boundary_quantities;
     CrackObserver<dim>       crack_observer;
+    CrackOpening<dim>        crack_opening;
+    CrackOpeningFile<dim>    crack_opening_file;
     StatisticsTable          statistics;
     FieldOutput<dim>         field_output;
     double                   external_work = 0.; // mJ

@@ -12,10 +12,12 @@ namespace MixedCracks
     model.add_parameters(prm);
     material.add_parameters(prm);
     boundary_conditions.add_parameters(prm);
+    fluid.add_parameters(prm);
     initial_cracks.add_parameters(prm);
     load.add_parameters(prm);
     solver.add_parameters(prm);
     output.add_parameters(prm);
+    crack_opening.add_parameters(prm);
   }
 
 
@@ -44,9 +46,11 @@ namespace MixedCracks
     material.check();
     const auto boundaries = geometry.chosen().boundary_ids();
     boundary_conditions.check(boundaries);
+    fluid.check();
     initial_cracks.check();
     load.check();
     output.check();
+    crack_opening.check();
 
     std::vector<std::string> prescribed;
     for (const auto &entry : boundary_conditions.displacements())
