@@ -2,9 +2,11 @@
 #ifndef mixed_cracks_core_parameters_h
 #define mixed_cracks_core_parameters_h
 
+#include <output/crack_opening_parameters.h>
 #include <output/parameters.h>
 
 #include <problem/boundary_conditions.h>
+#include <problem/fluid_parameters.h>
 #include <problem/geometry.h>
 #include <problem/initial_cracks.h>
 #include <problem/mesh_parameters.h>
@@ -25,10 +27,13 @@ namespace MixedCracks
     ModelParameters         model;
     MaterialParameters      material;
     BoundaryConditions<dim> boundary_conditions;
+    FluidParameters<dim>    fluid;
     InitialCracks<dim>      initial_cracks;
     LoadParameters          load;
     SolverParameters        solver;
     OutputParameters        output;
+
+    CrackOpeningParameters<dim> crack_opening;
 
     Parameters()                              = default;
     Parameters(const Parameters &)            = delete;

@@ -12,6 +12,8 @@
 
 #include <output/checkpoint.h>
 #include <output/crack_observer.h>
+#include <output/crack_opening.h>
+#include <output/crack_opening_file.h>
 #include <output/directory.h>
 #include <output/field_output.h>
 #include <output/quantities.h>
@@ -99,6 +101,9 @@ namespace MixedCracks
     void
     record(const State &before, const State &state, const StepOutcome &outcome);
 
+    /// What is measured of open cracks.
+    void record_opening(const State &state, StatisticsRow &row);
+
     void write_fields(const State &state, unsigned int step);
 
     void write_fields_when_due(const State &state);
@@ -148,6 +153,8 @@ namespace MixedCracks
 
     BoundaryQuantities<dim>  boundary_quantities;
     CrackObserver<dim>       crack_observer;
+    CrackOpening<dim>        crack_opening;
+    CrackOpeningFile<dim>    crack_opening_file;
     StatisticsTable          statistics;
     FieldOutput<dim>         field_output;
     double                   external_work = 0.; // mJ

@@ -35,6 +35,11 @@ namespace MixedCracks
   Loads<dim> make_loads(const Parameters<dim> &parameters,
                         unsigned int           n_components);
 
+  /// The fluid in the cracks; null where there is none.
+  template <int dim>
+  std::shared_ptr<FluidAssembler<dim>>
+  make_fluid(const Parameters<dim> &parameters, const Fields<dim> &fields);
+
   /// 1 everywhere, 0 on slits and initial cracks; without ghosts.
   template <int dim>
   LinearAlgebra::Vector

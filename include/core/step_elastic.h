@@ -3,6 +3,7 @@
 #define mixed_cracks_core_step_elastic_h
 
 #include <assembly/assembler.h>
+#include <assembly/fluid_assembler.h>
 
 #include <core/state.h>
 
@@ -21,8 +22,10 @@ namespace MixedCracks
   {
     std::shared_ptr<dealii::Function<dim>> body_force;
     std::map<dealii::types::boundary_id, std::shared_ptr<dealii::Function<dim>>>
-      tractions;
+                                         tractions;
+    std::shared_ptr<FluidAssembler<dim>> fluid; ///< in the cracks; or null
 
+    /// Of those that do not depend on the cracks.
     bool
     any() const
     {
@@ -63,8 +66,8 @@ namespace MixedCracks
     /// state.reaction from its other members, as after a change of the mesh.
     void update_reaction(State &state);
 
-    /// Work of the loads between two states by the trapezoidal rule, and of
-    /// the supports; N (mJ per mm thickness).
+    /// Work of the loads between two states by the trapezoidal rule, of the
+    /// supports, and of the fluid in the cracks; N (mJ per mm thickness).
     double external_work(const State &before, const State &after) const;
 
     const Counts &
@@ -80,7 +83,16 @@ namespace MixedCracks
     }
 
   private:
-    LinearAlgebra::Vector external_forces(double time) const;
+    /// Of body force and tractions.
+    LinearAlgebra::Vector dead_loads(double time) const;
+
+    /// These and those of the fluid in the cracks of @p phase_field, with
+    /// ghosts.
+    LinearAlgebra::Vector
+    external_forces(double                       time,
+                    const LinearAlgebra::Vector &phase_field) const;
+
+    double fluid_work(const State &before, const State &after) const;
 
     ResidualSize evaluate_residual(const State &trial);
 

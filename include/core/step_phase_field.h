@@ -3,6 +3,7 @@
 #define mixed_cracks_core_step_phase_field_h
 
 #include <assembly/assembler.h>
+#include <assembly/fluid_assembler.h>
 
 #include <core/state.h>
 
@@ -29,11 +30,14 @@ namespace MixedCracks
   class PhaseFieldStep
   {
   public:
-    PhaseFieldStep(const Fields<dim>      &fields,
-                   const Constraints<dim> &constraints,
-                   const Material<dim>    &material,
-                   Assembler<dim>         &assembler,
-                   dealii::TimerOutput    &timer);
+    /// @p fluid: in the cracks, kept in step with the mesh by ElasticStep;
+    /// or null.
+    PhaseFieldStep(const Fields<dim>                   &fields,
+                   const Constraints<dim>              &constraints,
+                   const Material<dim>                 &material,
+                   Assembler<dim>                      &assembler,
+                   std::shared_ptr<FluidAssembler<dim>> fluid,
+                   dealii::TimerOutput                 &timer);
 
     /// To be called when the mesh changed.
     void reinit();
@@ -46,11 +50,15 @@ namespace MixedCracks
   private:
     void set_bounds(const State &accepted, const FixedPhaseField &fixed);
 
-    const Fields<dim>      &fields;
-    const Constraints<dim> &constraints;
-    Assembler<dim>         &assembler;
-    dealii::TimerOutput    &timer;
-    ActiveSetSolver         solver;
+    /// Residual and matrix at the trial state.
+    void assemble(const State &trial);
+
+    const Fields<dim>                         &fields;
+    const Constraints<dim>                    &constraints;
+    Assembler<dim>                            &assembler;
+    const std::shared_ptr<FluidAssembler<dim>> fluid;
+    dealii::TimerOutput                       &timer;
+    ActiveSetSolver                            solver;
     /// the matrix does not depend on the phase field, so that one active-set
     /// solution is the end
     const bool is_quadratic;

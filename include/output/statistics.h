@@ -34,6 +34,7 @@ namespace MixedCracks
     unsigned int          factorizations      = 0;
     unsigned int          rejected_steps      = 0;
     unsigned int          refinements         = 0;
+    double                crack_volume        = 0.; ///< mm^3, where asked for
 
     /// Length of the force vector, N.
     double force_size() const;
@@ -51,8 +52,10 @@ namespace MixedCracks
   public:
     explicit StatisticsTable(MPI_Comm communicator);
 
-    /// Open @p file_name anew. Throws FileError. Collective.
-    void open(const std::string &file_name, int dim);
+    /// Open @p file_name anew, with a last column for the crack volume where
+    /// it is asked for. Throws FileError. Collective.
+    void
+    open(const std::string &file_name, int dim, bool with_crack_volume = false);
 
     /// Rows kept by a resumed run, written anew. Collective.
     void restore(const std::vector<StatisticsRow> &earlier);
@@ -68,7 +71,8 @@ namespace MixedCracks
 
   private:
     const MPI_Comm             communicator;
-    int                        dim = 2;
+    int                        dim               = 2;
+    bool                       with_crack_volume = false;
     std::string                name;
     std::ofstream              file;
     std::vector<StatisticsRow> table;

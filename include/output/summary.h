@@ -22,6 +22,7 @@ namespace MixedCracks
     double       residual_stiffness = 0.;
     double       thickness          = 1.; ///< mm
     bool         separated          = false;
+    bool         with_crack_volume  = false;
     Outcome      cracks;
     std::string  exit_reason;
     int          exit_status    = 0;

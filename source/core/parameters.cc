@@ -13,10 +13,12 @@ namespace MixedCracks
     material.add_parameters(prm);
     geometry.take_thickness_from(material.thickness);
     boundary_conditions.add_parameters(prm);
+    fluid.add_parameters(prm);
     initial_cracks.add_parameters(prm);
     load.add_parameters(prm);
     solver.add_parameters(prm);
     output.add_parameters(prm);
+    crack_opening.add_parameters(prm);
   }
 
 
@@ -45,6 +47,7 @@ namespace MixedCracks
     material.check();
     const auto boundaries = geometry.chosen().boundary_ids();
     boundary_conditions.check(boundaries);
+    fluid.check();
     initial_cracks.check();
     load.check();
     if (dim == 3 && load.stop_when_separated)
@@ -53,6 +56,7 @@ namespace MixedCracks
                        "cracks are known in 2-d only. Load stepping/Stop when "
                        "force falls below ends a run in 3-d.");
     output.check();
+    crack_opening.check();
 
     std::vector<std::string> prescribed;
     for (const auto &entry : boundary_conditions.displacements())

@@ -40,6 +40,10 @@ namespace MixedCracks
     , crack_observer(fields,
                      parameters.geometry.chosen().boundary_ids(),
                      parameters.output.directory)
+    , crack_opening(fields, parameters.crack_opening.lines())
+    , crack_opening_file(parameters.output.directory,
+                         crack_opening.lines(),
+                         communicator)
     , statistics(communicator)
     , field_output(fields, parameters.output.directory)
     , checkpoint(parameters.output.directory, communicator)
@@ -114,14 +118,12 @@ namespace MixedCracks
     const unsigned int n_components = fields.elastic.get_fe().n_components();
     assembler                       = std::make_unique<Assembler<dim>>(
       fields, *material, constants_function(parameters.model, *material_field));
-    elastic_step =
-      std::make_unique<ElasticStep<dim>>(fields,
-                                         constraints,
-                                         *assembler,
-                                         make_loads(parameters, n_components),
-                                         timer);
+    Loads<dim> loads = make_loads(parameters, n_components);
+    loads.fluid      = make_fluid(parameters, fields);
+    elastic_step     = std::make_unique<ElasticStep<dim>>(
+      fields, constraints, *assembler, loads, timer);
     phase_field_step = std::make_unique<PhaseFieldStep<dim>>(
-      fields, constraints, *material, *assembler, timer);
+      fields, constraints, *material, *assembler, loads.fluid, timer);
     step_solver = std::make_unique<StepSolver<dim>>(
       *elastic_step,
       *phase_field_step,
@@ -152,6 +154,9 @@ namespace MixedCracks
     phase_field_step->reinit();
     boundary_quantities.reinit();
     crack_observer.reinit();
+    if (!crack_opening.lines().empty())
+      crack_opening.reinit(parameters.crack_opening.reach *
+                           material->description().length_scale);
     fixed_phase_field.frozen = unbreakable_nodes(parameters, fields);
   }
 
@@ -185,6 +190,7 @@ namespace MixedCracks
     relaxed.previous_phase_field = relaxed.phase_field;
     crack_observer.open(material->description().length_scale);
     crack_observer.start(relaxed.phase_field);
+    crack_opening_file.open();
     record(relaxed, relaxed, outcome);
     return relaxed;
   }

@@ -177,8 +177,11 @@ namespace MixedCracks
       return;
     const StatisticsRow &row = rows.back();
     const double imbalance   = row.energy_imbalance(rows[rows.size() - 2]);
-    const double work        = std::abs(row.external_work);
-    if (!(std::abs(imbalance) > tolerance * work))
+    // loads that are there from the start have done no work since, but have
+    // stored energy
+    const double scale =
+      std::max(std::abs(row.external_work), row.elastic_energy);
+    if (!(std::abs(imbalance) > tolerance * scale))
       return;
     const std::string reason =
       parameters.model.coupling != "iterated"
@@ -188,10 +191,12 @@ namespace MixedCracks
         ? "set free by a crack that ran"
         : "the step is too long, or the pressure law has no energy";
     log.line(printed("  energy balance: %.4g mJ of this step, %.1f %% of the "
-                     "external work so far, are neither stored nor in the "
-                     "crack: %s",
+                     "%s, are neither stored nor in the crack: %s",
                      imbalance,
-                     100. * imbalance / work,
+                     100. * imbalance / scale,
+                     row.elastic_energy > std::abs(row.external_work)
+                       ? "stored energy"
+                       : "external work so far",
                      reason.c_str()));
     ++n_imbalanced_steps;
   }

@@ -15,7 +15,9 @@ namespace MixedCracks
     const std::string &directory = parameters.output.directory;
     prepare_output_directory(directory, existing, communicator);
     log.open(directory + "/log.txt", existing == ExistingRun::resume);
-    statistics.open(directory + "/statistics.csv", dim);
+    statistics.open(directory + "/statistics.csv",
+                    dim,
+                    parameters.crack_opening.crack_volume);
     std::string message;
     if (Utilities::MPI::this_mpi_process(communicator) == 0)
     {
@@ -64,6 +66,7 @@ namespace MixedCracks
     row.factorizations      = elastic_step->counts().factorizations;
     row.rejected_steps      = load_control.n_rejected();
     row.refinements         = n_refinements;
+    record_opening(state, row);
     statistics.add(row);
     log_step(row);
     check_energy_balance();
@@ -85,6 +88,22 @@ namespace MixedCracks
     const unsigned int every = parameters.output.checkpoint_every;
     if (every > 0 && row.step > 0 && row.step % every == 0)
       write_checkpoint(state);
+  }
+
+
+
+  template <int dim>
+  void
+  Simulation<dim>::record_opening(const State &state, StatisticsRow &row)
+  {
+    if (parameters.crack_opening.crack_volume)
+      row.crack_volume = parameters.material.thickness *
+                         crack_volume(fields, state.elastic, state.phase_field);
+    if (!crack_opening.lines().empty())
+      crack_opening_file.add(
+        row.step,
+        row.time,
+        crack_opening.evaluate(state.elastic, state.phase_field));
   }
 
 
@@ -196,7 +215,8 @@ namespace MixedCracks
     for (const auto &[name, seconds] :
          timer.get_summary_data(TimerOutput::total_wall_time))
       summary.phases[name] = Utilities::MPI::max(seconds, communicator);
-    summary.warnings = warnings;
+    summary.with_crack_volume = parameters.crack_opening.crack_volume;
+    summary.warnings          = warnings;
     return summary;
   }
 
@@ -206,6 +226,8 @@ namespace MixedCracks
   template void Simulation<dim>::prepare_output(ExistingRun);                 \
   template void Simulation<dim>::record(                                      \
     const State &, const State &, const StepOutcome &);                       \
+  template void   Simulation<dim>::record_opening(const State &,              \
+                                                StatisticsRow &);           \
   template double Simulation<dim>::smallest_phase_field(const State &) const; \
   template void   Simulation<dim>::write_fields_when_due(const State &);      \
   template void   Simulation<dim>::write_fields(const State &, unsigned int); \

@@ -70,6 +70,7 @@ namespace MixedCracks
                           resumed->rows.back().step,
                           resumed->nuclei,
                           state.phase_field);
+    crack_opening_file.restore(resumed->rows.back().step);
     field_output.restore(resumed->field_files);
     log.line("resumed at step " +
              std::to_string(statistics.rows().back().step));

@@ -156,6 +156,18 @@ namespace MixedCracks
 
 
 
+  template <int dim>
+  std::shared_ptr<FluidAssembler<dim>>
+  make_fluid(const Parameters<dim> &parameters, const Fields<dim> &fields)
+  {
+    const auto pressure = parameters.fluid.pressure();
+    if (!pressure)
+      return nullptr;
+    return std::make_shared<FluidAssembler<dim>>(fields, pressure);
+  }
+
+
+
   namespace
   {
     // calls body(dof, position, size of the cell) for the owned nodes of the
@@ -184,24 +196,25 @@ namespace MixedCracks
                       const Fields<dim>      &fields,
                       const Constraints<dim> &constraints)
   {
-    std::vector<Segment<dim>> slits;
+    std::vector<FlatPiece<dim>> slits;
     if (parameters.initial_cracks.broken_slits)
       slits = parameters.geometry.chosen().slits();
-    const auto            cracks = parameters.initial_cracks.segments();
+    const InitialPhaseField<dim> cracks(parameters.initial_cracks);
     LinearAlgebra::Vector values = fields.owned_vector(fields.phase_field_dofs);
     values                       = 1.;
-    for_each_node(fields,
-                  [&](const types::global_dof_index dof,
-                      const Point<dim>             &position,
-                      const double                  size) {
-                    // slits are mesh lines; cracks need not be
-                    for (const FlatPiece<dim> &slit : slits)
-                      if (distance(position, slit) <= 1e-6 * size)
-                        values(dof) = 0.;
-                    for (const Segment<dim> &crack : cracks)
-                      if (distance(position, crack) <= (0.5 + 1e-6) * size)
-                        values(dof) = 0.;
-                  });
+    together(fields.communicator(), [&]() {
+      for_each_node(fields,
+                    [&](const types::global_dof_index dof,
+                        const Point<dim>             &position,
+                        const double                  size) {
+                      values(dof) = std::min(static_cast<double>(values(dof)),
+                                             cracks.value(position, size));
+                      // slits are mesh lines; cracks need not be
+                      for (const FlatPiece<dim> &slit : slits)
+                        if (distance(position, slit) <= 1e-6 * size)
+                          values(dof) = 0.;
+                    });
+    });
     values.compress(VectorOperation::insert);
     constraints.phase_field_hanging_nodes().distribute(values);
     return values;
@@ -309,6 +322,8 @@ namespace MixedCracks
   template std::vector<PrescribedComponent<dim>> prescribed_components(      \
     const Parameters<dim> &, unsigned int);                                  \
   template Loads<dim> make_loads(const Parameters<dim> &, unsigned int);     \
+  template std::shared_ptr<FluidAssembler<dim>> make_fluid(                  \
+    const Parameters<dim> &, const Fields<dim> &);                           \
   template LinearAlgebra::Vector initial_phase_field(                        \
     const Parameters<dim> &, const Fields<dim> &, const Constraints<dim> &); \
   template IndexSet unbreakable_nodes(const Parameters<dim> &,               \

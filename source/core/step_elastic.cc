@@ -45,6 +45,8 @@ namespace MixedCracks
   {
     TimerOutput::Scope scope(timer, "setup");
     assembler.reinit();
+    if (loads.fluid)
+      loads.fluid->reinit();
     const DofSets                 &dofs = fields.elastic_dofs;
     LinearAlgebra::SparsityPattern pattern(
       dofs.owned, dofs.owned, dofs.relevant, fields.communicator());
@@ -78,7 +80,7 @@ namespace MixedCracks
 
   template <int dim>
   Vector
-  ElasticStep<dim>::external_forces(const double time) const
+  ElasticStep<dim>::dead_loads(const double time) const
   {
     Vector forces = fields.owned_vector(fields.elastic_dofs);
     if (!loads.any())
@@ -101,6 +103,20 @@ namespace MixedCracks
 
 
   template <int dim>
+  Vector
+  ElasticStep<dim>::external_forces(const double  time,
+                                    const Vector &phase_field) const
+  {
+    Vector forces = dead_loads(time);
+    if (loads.fluid)
+      loads.fluid->add_nodal_forces(
+        time, phase_field, constraints.elastic_hanging_nodes(), forces);
+    return forces;
+  }
+
+
+
+  template <int dim>
   void
   ElasticStep<dim>::predict(const State &accepted, State &trial) const
   {
@@ -108,8 +124,9 @@ namespace MixedCracks
     Vector after  = before;
     constraints.apply_prescribed(accepted.time, before);
     constraints.apply_prescribed(trial.time, after);
-    const Vector forces_before = external_forces(accepted.time);
-    Vector       forces_after  = external_forces(trial.time);
+    const Vector forces_before =
+      external_forces(accepted.time, trial.lagged_phase_field);
+    Vector forces_after = external_forces(trial.time, trial.lagged_phase_field);
 
     const double size = before * before + forces_before * forces_before;
     const double ratio =
@@ -183,7 +200,7 @@ namespace MixedCracks
   ElasticStep<dim>::solve(State &trial, const NewtonOptions &options)
   {
     iterate  = trial.elastic;
-    external = external_forces(trial.time);
+    external = external_forces(trial.time, trial.lagged_phase_field);
     NewtonProblem problem;
     problem.residual      = [&]() { return evaluate_residual(trial); };
     problem.update_matrix = [&](const bool force) {
@@ -215,7 +232,7 @@ namespace MixedCracks
   void
   ElasticStep<dim>::update_reaction(State &state)
   {
-    external = external_forces(state.time);
+    external = external_forces(state.time, state.lagged_phase_field);
     evaluate_residual(state);
     constraints.keep_prescribed(full_residual);
     state.reaction.reinit(fields.elastic_dofs.owned,
@@ -235,14 +252,35 @@ namespace MixedCracks
     increment        = after.elastic;
     old              = before.elastic;
     increment.add(-1., old);
-    Vector forces = external_forces(before.time);
-    forces.add(1., external_forces(after.time));
+    Vector forces = dead_loads(before.time);
+    forces.add(1., dead_loads(after.time));
     Vector reaction(increment);
     reaction = before.reaction;
     forces.add(1., reaction);
     reaction = after.reaction;
     forces.add(1., reaction);
-    return 0.5 * (forces * increment);
+    return 0.5 * (forces * increment) + fluid_work(before, after);
+  }
+
+
+
+  template <int dim>
+  double
+  ElasticStep<dim>::fluid_work(const State &before, const State &after) const
+  {
+    if (!loads.fluid)
+      return 0.;
+    // the mean pressure of the step times the volume gained: a crack also
+    // gains volume, and the fluid does work, where only the phase field moves
+    double work = 0.;
+    for (const double time : {before.time, after.time})
+    {
+      work += 0.5 * loads.fluid->energy(
+                      time, before.elastic, before.lagged_phase_field);
+      work -= 0.5 * loads.fluid->energy(
+                      time, after.elastic, after.lagged_phase_field);
+    }
+    return work;
   }
 
 

@@ -45,14 +45,17 @@ namespace MixedCracks
 
 
   template <int dim>
-  PhaseFieldStep<dim>::PhaseFieldStep(const Fields<dim>      &fields,
-                                      const Constraints<dim> &constraints,
-                                      const Material<dim>    &material,
-                                      Assembler<dim>         &assembler,
-                                      TimerOutput            &timer)
+  PhaseFieldStep<dim>::PhaseFieldStep(
+    const Fields<dim>                   &fields,
+    const Constraints<dim>              &constraints,
+    const Material<dim>                 &material,
+    Assembler<dim>                      &assembler,
+    std::shared_ptr<FluidAssembler<dim>> fluid,
+    TimerOutput                         &timer)
     : fields(fields)
     , constraints(constraints)
     , assembler(assembler)
+    , fluid(std::move(fluid))
     , timer(timer)
     , solver(options_for(material, assembler.constants_vary()))
     , is_quadratic(has_constant_curvature(material.crack_density()))
@@ -110,6 +113,23 @@ namespace MixedCracks
 
 
   template <int dim>
+  void
+  PhaseFieldStep<dim>::assemble(const State &trial)
+  {
+    const auto &hanging = constraints.phase_field_hanging_nodes();
+    assembler.phase_field_system(trial.phase_field, hanging, residual, &matrix);
+    if (fluid)
+      fluid->add_phase_field_system(trial.time,
+                                    trial.elastic,
+                                    trial.phase_field,
+                                    hanging,
+                                    residual,
+                                    &matrix);
+  }
+
+
+
+  template <int dim>
   ActiveSetOutcome
   PhaseFieldStep<dim>::solve(const State           &accepted,
                              const FixedPhaseField &fixed,
@@ -123,8 +143,7 @@ namespace MixedCracks
     ActiveSetOutcome     total;
     for (unsigned int i = 0; i < max_newton_iterations; ++i)
     {
-      assembler.phase_field_system(
-        trial.phase_field, hanging, residual, &matrix);
+      assemble(trial);
       const ActiveSetOutcome outcome = solver.solve(problem, iterate, residual);
       hanging.distribute(iterate);
       trial.phase_field = iterate;

@@ -36,8 +36,9 @@ namespace MixedCracks
                       energy_imbalance_tolerance,
                       "The log warns of a load step in which the external work "
                       "differs from the growth of stored and crack energy by "
-                      "more than this, relative to the external work so far; "
-                      "0: no warnings. Unit: 1.",
+                      "more than this, relative to the external work so far, "
+                      "or to the stored energy where that is larger; 0: no "
+                      "warnings. Unit: 1.",
                       Patterns::Double(0.));
     prm.add_parameter("Wall time limit",
                       wall_time_limit,

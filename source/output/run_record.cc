@@ -36,6 +36,7 @@ namespace MixedCracks
       action(row.factorizations);
       action(row.rejected_steps);
       action(row.refinements);
+      action(row.crack_volume);
     }
   } // namespace
 

@@ -21,13 +21,16 @@ namespace MixedCracks
              "min_phase_field,max_phase_field_change,newton_iterations,"
              "linear_iterations,active_set_size,cells,dofs,wall_time_s,"
              "coupling_iterations,coupling_change,factorizations,"
-             "rejected_steps,refinements,energy_imbalance_mJ\n";
+             "rejected_steps,refinements,energy_imbalance_mJ";
     }
 
 
 
     std::string
-    line(const StatisticsRow &row, const StatisticsRow &first, const int dim)
+    line(const StatisticsRow &row,
+         const StatisticsRow &first,
+         const int            dim,
+         const bool           with_crack_volume)
     {
       std::ostringstream out;
       out << std::setprecision(10) << row.step << ',' << row.time << ','
@@ -42,7 +45,10 @@ namespace MixedCracks
           << row.wall_time << ',' << row.coupling_iterations << ','
           << row.coupling_change << ',' << row.factorizations << ','
           << row.rejected_steps << ',' << row.refinements << ','
-          << std::setprecision(10) << row.energy_imbalance(first) << '\n';
+          << std::setprecision(10) << row.energy_imbalance(first);
+      if (with_crack_volume)
+        out << ',' << row.crack_volume;
+      out << '\n';
       return out.str();
     }
   } // namespace
@@ -75,15 +81,19 @@ namespace MixedCracks
 
 
   void
-  StatisticsTable::open(const std::string &file_name, const int dimension)
+  StatisticsTable::open(const std::string &file_name,
+                        const int          dimension,
+                        const bool         crack_volume)
   {
-    dim  = dimension;
-    name = file_name;
+    dim               = dimension;
+    with_crack_volume = crack_volume;
+    name              = file_name;
     std::string message;
     if (dealii::Utilities::MPI::this_mpi_process(communicator) == 0)
     {
       file.open(name);
-      file << header(dim) << std::flush;
+      file << header(dim) << (with_crack_volume ? ",crack_volume_mm3\n" : "\n")
+           << std::flush;
       if (!file)
         message = "Output/Directory: '" + name + "' cannot be written.";
     }
@@ -108,7 +118,7 @@ namespace MixedCracks
     std::string message;
     if (dealii::Utilities::MPI::this_mpi_process(communicator) == 0)
     {
-      file << line(row, table.front(), dim) << std::flush;
+      file << line(row, table.front(), dim, with_crack_volume) << std::flush;
       if (!file)
         message = "Output/Directory: '" + name +
                   "' cannot be written any more; is the disk full?";

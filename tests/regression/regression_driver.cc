@@ -40,7 +40,8 @@ namespace
                                              "min_phase_field",
                                              "max_phase_field_change",
                                              "cells",
-                                             "dofs"};
+                                             "dofs",
+                                             "crack_volume_mm3"};
 
   // What is smaller than this in a whole column is rounding: 0.
   constexpr double negligible = 1e-6;

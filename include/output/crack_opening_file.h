@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#ifndef mixed_cracks_output_crack_opening_file_h
+#define mixed_cracks_output_crack_opening_file_h
+
+#include <output/crack_opening_parameters.h>
+
+#include <mpi.h>
+
+#include <string>
+#include <vector>
+
+namespace MixedCracks
+{
+  /// DIR/crack_opening.csv: a row per accepted step and position on the lines
+  /// of Output/Crack opening; without lines there is no file. Rank 0 writes;
+  /// throws FileError on all of them. Collective.
+  template <int dim>
+  class CrackOpeningFile
+  {
+  public:
+    CrackOpeningFile(const std::string                   &directory,
+                     const std::vector<OpeningLine<dim>> &lines,
+                     MPI_Comm                             communicator);
+
+    /// Begin anew.
+    void open() const;
+
+    /// Go on with the file of an earlier run, of which steps after
+    /// @p last_step are dropped.
+    void restore(unsigned int last_step) const;
+
+    /// @p openings: mm, one line after the other.
+    void add(unsigned int               step,
+             double                     time, // s
+             const std::vector<double> &openings) const;
+
+  private:
+    void write(const std::string &content, bool append) const;
+
+    const std::string                   name;
+    const std::vector<OpeningLine<dim>> lines;
+    const MPI_Comm                      communicator;
+  };
+} // namespace MixedCracks
+
+#endif

@@ -1,0 +1,187 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// Does a crack that a fluid opens converge to the exact solution? [Sneddon,
+// Lowengrub 1969]
+//
+// A crack of length 2 in a square of 80 x 80 that is held all around: wide
+// enough for its opening to be that in an unbounded body but for 0.1 %. The
+// length scale is two cells, so that it goes to 0 with the mesh, and the
+// smeared crack, longer than the sharp one by about a cell at each tip, gets
+// its length. The cells halve from one row of the table to the next, and so
+// shall the error.
+#include <core/case_signature.h>
+#include <core/parameter_file.h>
+#include <core/parameter_manual.h>
+#include <core/simulation.h>
+
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <iostream>
+#include <sstream>
+
+using namespace MixedCracks;
+
+namespace
+{
+  namespace Files = std::filesystem;
+  using dealii::numbers::PI;
+
+  constexpr double pressure = 1e-3; // MPa
+
+  struct Opened
+  {
+    double volume;  // mm^2
+    double opening; // in the middle, mm
+  };
+
+  // a directory for a run, the same on all ranks
+  class Directory
+  {
+  public:
+    Directory()
+      : path(dealii::Utilities::MPI::broadcast(
+          MPI_COMM_WORLD,
+          (Files::temp_directory_path() /
+           ("mixed_cracks_sneddon_" + std::to_string(getpid())))
+            .string()))
+    {}
+
+    ~Directory()
+    {
+      if (dealii::Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0)
+        Files::remove_all(path);
+    }
+
+    const std::string path;
+  };
+
+  // 12 fine cells to all sides of the crack on each level
+  std::string
+  boxes(const unsigned int n_levels)
+  {
+    std::ostringstream text;
+    for (unsigned int level = 1; level <= n_levels; ++level)
+    {
+      const double margin = 12. * 4. / std::pow(2., level);
+      text << (level > 1 ? " ; " : "") << -1. - margin << ',' << -margin
+           << " : " << 1. + margin << ',' << margin << " : " << level;
+    }
+    return text.str();
+  }
+
+  std::vector<std::string>
+  entries(const bool mixed, const unsigned int n_levels)
+  {
+    return {"Geometry/Name=rectangle",
+            "Geometry/Rectangle/Lower corner=-40,-40",
+            "Geometry/Rectangle/Upper corner=40,40",
+            "Geometry/Rectangle/Cell size=4",
+            "Mesh/Refined boxes=" + boxes(n_levels),
+            std::string("Model/Formulation=") +
+              (mixed ? "mixed" : "displacement"),
+            "Model/Kinematics=plane strain",
+            "Model/Crack density=AT2",
+            "Model/Energy split=none",
+            std::string("Model/Pressure law=") +
+              (mixed ? "relaxed bulk" : "degraded bulk"),
+            "Model/Length scale=2*h",
+            "Model/Residual stiffness=1e-8",
+            "Material/Young's modulus=1",
+            std::string("Material/Poisson ratio=") + (mixed ? "0.4999" : "0.2"),
+            "Material/Critical energy release rate=1",
+            "Fluid/Pressure=1e-3",
+            std::string("Boundary conditions/Displacement=bottom : all : 0 ; "
+                        "top : all : 0") +
+              (mixed ? "" : " ; left : all : 0 ; right : all : 0"),
+            "Initial cracks/Cracks=-1,0 : 1,0",
+            "Initial cracks/Half width=h",
+            "Load stepping/End time=1",
+            "Load stepping/First step=1",
+            "Load stepping/Largest step=1",
+            "Load stepping/Onset step=1",
+            "Load stepping/Smallest step=0.1",
+            "Load stepping/Largest phase-field change=0",
+            "Output/Crack volume=true",
+            "Output/Crack opening=0,0 : 0,0 : 0,1 : 1"};
+  }
+
+  double
+  last_number_in(const std::string &file_name)
+  {
+    std::ifstream file(file_name);
+    std::string   line, last;
+    while (std::getline(file, line))
+      last = line;
+    return std::stod(last.substr(last.rfind(',') + 1));
+  }
+
+  Opened
+  solve(const bool mixed, const unsigned int n_levels)
+  {
+    const Directory          directory;
+    std::vector<std::string> overrides = entries(mixed, n_levels);
+    overrides.push_back("Output/Directory=" + directory.path);
+    Parameters<2>            parameters;
+    dealii::ParameterHandler prm;
+    parameters.add_parameters(prm);
+    read_parameters("/dev/null", overrides, prm, MPI_COMM_WORLD);
+    parameters.check();
+    Log           log(/*active=*/false);
+    Simulation<2> simulation(
+      parameters, "", case_signature(prm), MPI_COMM_WORLD, log);
+    EXPECT_EQ(simulation.run(ExistingRun::overwrite).exit_status, 0);
+    Opened result{0., 0.};
+    if (dealii::Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0)
+      result = {last_number_in(directory.path + "/statistics.csv"),
+                last_number_in(directory.path + "/crack_opening.csv")};
+    return {dealii::Utilities::MPI::broadcast(MPI_COMM_WORLD, result.volume),
+            dealii::Utilities::MPI::broadcast(MPI_COMM_WORLD, result.opening)};
+  }
+
+  // relative errors on meshes with cells of 1/16, 1/32, 1/64 at the crack
+  void
+  expect_first_order(const bool   mixed,
+                     const double poisson_ratio,
+                     const double volume_error,
+                     const double opening_error)
+  {
+    const double compliance = 1. - poisson_ratio * poisson_ratio; // 1/E'
+    Opened       before{0., 0.}, error{0., 0.};
+    for (const unsigned int n_levels : {6, 7, 8})
+    {
+      const Opened found = solve(mixed, n_levels);
+      before             = error;
+      error = {found.volume / (2. * PI * pressure * compliance) - 1.,
+               found.opening / (4. * pressure * compliance) - 1.};
+      if (dealii::Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0)
+        std::cout << "h = 1/" << std::pow(2., n_levels - 2) << ": volume "
+                  << found.volume << " (" << 100. * error.volume
+                  << " %), opening " << found.opening << " ("
+                  << 100. * error.opening << " %)\n";
+      EXPECT_GT(error.volume, 0.);
+      if (n_levels == 6)
+        continue;
+      EXPECT_LT(error.volume, 0.56 * before.volume);
+      EXPECT_LT(error.opening, 0.56 * before.opening);
+    }
+    EXPECT_LT(error.volume, volume_error);
+    EXPECT_LT(error.opening, opening_error);
+  }
+} // namespace
+
+
+
+TEST(Sneddon, ConvergesInTheDisplacementFormulation)
+{
+  expect_first_order(/*mixed=*/false, 0.2, 0.04, 0.025);
+}
+
+
+
+TEST(Sneddon, ConvergesWhenNearlyIncompressible)
+{
+  expect_first_order(/*mixed=*/true, 0.4999, 0.14, 0.08);
+}
