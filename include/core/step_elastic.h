@@ -3,6 +3,7 @@
 #define mixed_cracks_core_step_elastic_h
 
 #include <assembly/assembler.h>
+#include <assembly/auxiliary_matrices.h>
 
 #include <core/state.h>
 
@@ -10,8 +11,7 @@
 
 #include <discretization/constraints.h>
 
-#include <solvers/direct_solver.h>
-#include <solvers/newton.h>
+#include <solvers/parameters.h>
 
 namespace MixedCracks
 {
@@ -39,7 +39,7 @@ namespace MixedCracks
   public:
     struct Counts
     {
-      unsigned int factorizations = 0;
+      unsigned int factorizations = 0; ///< or hierarchies of multigrid
       unsigned int solves         = 0;
     };
 
@@ -47,7 +47,8 @@ namespace MixedCracks
                 const Constraints<dim> &constraints,
                 Assembler<dim>         &assembler,
                 Loads<dim>              loads,
-                dealii::TimerOutput    &timer);
+                dealii::TimerOutput    &timer,
+                const SolverParameters &solver_parameters = {});
 
     /// To be called when the mesh changed.
     LinearOutcome reinit();
@@ -73,18 +74,31 @@ namespace MixedCracks
       return count;
     }
 
-    const DirectSolver &
+    /// After reinit().
+    const LinearSolver &
     linear_solver() const
     {
-      return solver;
+      return *solver;
     }
 
+    /// Which linear solver is used and why, for the log.
+    std::string linear_solver_in_words() const;
+
   private:
+    void make_matrix();
+
+    /// Make the linear solver for this mesh, if it has to be another one.
+    void choose_solver();
+
+    LinearSystem describe_system();
+
     LinearAlgebra::Vector external_forces(double time) const;
 
     ResidualSize evaluate_residual(const State &trial);
 
     LinearOutcome update_matrix(bool force);
+
+    LinearOutcome solve_for_correction(double relative_tolerance);
 
     const Fields<dim>      &fields;
     const Constraints<dim> &constraints;
@@ -92,16 +106,20 @@ namespace MixedCracks
     Loads<dim>              loads;
     dealii::TimerOutput    &timer;
 
-    std::vector<bool>           pressure_dofs; // owned ones, in order
-    LinearAlgebra::SparseMatrix matrix;
-    DirectSolver                solver;
-    LinearAlgebra::Vector       iterate;
-    LinearAlgebra::Vector       full_residual;
-    LinearAlgebra::Vector       residual;
-    LinearAlgebra::Vector       correction;
-    LinearAlgebra::Vector       external;
-    ElasticAssessment           assessment;
-    Counts                      count;
+    const std::string             solver_name;
+    const LinearSolverOptions     solver_options;
+    LinearSolverChoice            choice;
+    AssembledAuxiliaries<dim>     auxiliaries;
+    std::vector<bool>             pressure_dofs; // owned ones, in order
+    LinearAlgebra::SparseMatrix   matrix;
+    std::unique_ptr<LinearSolver> solver; // lives shorter than the matrix
+    LinearAlgebra::Vector         iterate;
+    LinearAlgebra::Vector         full_residual;
+    LinearAlgebra::Vector         residual;
+    LinearAlgebra::Vector         correction;
+    LinearAlgebra::Vector         external;
+    ElasticAssessment             assessment;
+    Counts                        count;
   };
 } // namespace MixedCracks
 

@@ -46,6 +46,7 @@ namespace MixedCracks
     boundary_conditions.check(boundaries);
     initial_cracks.check();
     load.check();
+    solver.check();
     output.check();
 
     std::vector<std::string> prescribed;

@@ -115,7 +115,8 @@ namespace MixedCracks
                                          constraints,
                                          *assembler,
                                          make_loads(parameters, n_components),
-                                         timer);
+                                         timer,
+                                         parameters.solver);
     phase_field_step = std::make_unique<PhaseFieldStep<dim>>(
       fields, constraints, *material, *assembler, timer);
     step_solver = std::make_unique<StepSolver<dim>>(
@@ -132,8 +133,6 @@ namespace MixedCracks
         }},
       communicator,
       log);
-    log.line("linear solver: direct, " +
-             elastic_step->linear_solver().package());
   }
 
 
@@ -145,6 +144,7 @@ namespace MixedCracks
     const LinearOutcome analysis = elastic_step->reinit();
     if (!analysis.success)
       throw SolverError(analysis.reason);
+    log_linear_solver();
     phase_field_step->reinit();
     boundary_quantities.reinit();
     crack_observer.reinit();

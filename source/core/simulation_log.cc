@@ -184,6 +184,18 @@ namespace MixedCracks
 
   template <int dim>
   void
+  Simulation<dim>::log_linear_solver()
+  {
+    const std::string text = elastic_step->linear_solver_in_words();
+    if (text != linear_solver_in_words)
+      log.line("linear solver: " + text);
+    linear_solver_in_words = text;
+  }
+
+
+
+  template <int dim>
+  void
   Simulation<dim>::log_end(const RunOutcome &outcome, const Summary &summary)
   {
     const StatisticsRow &peak = statistics.rows()[peak_row(statistics.rows())];
@@ -229,5 +241,6 @@ namespace MixedCracks
   template void   Simulation<2>::preflight();
   template void   Simulation<2>::log_step(const StatisticsRow &);
   template void   Simulation<2>::check_energy_balance();
+  template void   Simulation<2>::log_linear_solver();
   template void   Simulation<2>::log_end(const RunOutcome &, const Summary &);
 } // namespace MixedCracks
