@@ -10,7 +10,7 @@
 //            damage (kappa, intact to broken), orderings (of MUMPS)
 //   --dim 2|3  --largest UNKNOWNS  --smallest UNKNOWNS  --displacement
 //   --solver "block AMG"|direct|both  --worst (broken through, kappa = 1e-6)
-//   --tolerance 1e-8
+//   --tolerance 1e-8  --random (right hand side)
 #include "../unit/elastic_system.h"
 
 #include <core/log.h>
@@ -22,6 +22,7 @@
 #include <solvers/mumps.h>
 
 #include <iostream>
+#include <random>
 
 namespace
 {
@@ -37,6 +38,7 @@ namespace
     double      largest   = 3e5;
     bool        mixed     = true;
     bool        worst     = false;
+    bool        random    = false;
     double      tolerance = 1e-8;
   };
 
@@ -54,6 +56,8 @@ namespace
         result.mixed = false;
       else if (option == "--worst")
         result.worst = true;
+      else if (option == "--random")
+        result.random = true;
       else if (i + 1 == argc)
         throw InputError("a value is missing after " + option);
       else if (option == "--dim")
@@ -168,11 +172,35 @@ namespace
 
 
 
+  // of the size of the present one, displacements and pressures apart
+  template <int dim>
+  void
+  randomize(ElasticSystem<dim> &system)
+  {
+    const auto   is_pressure = system.system().is_pressure;
+    auto        &vector      = system.right_hand_side;
+    std::mt19937 generator(1);
+    std::uniform_real_distribution<double> random(-1., 1.);
+    double                                 largest[] = {0., 0.};
+    for (std::size_t i = 0; i < is_pressure.size(); ++i)
+      largest[is_pressure[i]] =
+        std::max(largest[is_pressure[i]], std::abs(vector.begin()[i]));
+    for (double &value : largest)
+      value = dealii::Utilities::MPI::max(value, MPI_COMM_WORLD);
+    for (std::size_t i = 0; i < is_pressure.size(); ++i)
+      vector.begin()[i] = largest[is_pressure[i]] * random(generator);
+    system.constraints.elastic_corrections().set_zero(vector);
+  }
+
+
+
   template <int dim>
   void
   measure(const ElasticSystemOptions &options, const Arguments &arguments)
   {
     ElasticSystem<dim> system(options);
+    if (arguments.random)
+      randomize(system);
     for (const std::string name : {"block AMG", "direct"})
       if (arguments.solver == name || arguments.solver == "both")
         measure<dim>(name, system, arguments);

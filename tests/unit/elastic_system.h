@@ -79,17 +79,20 @@ namespace MixedCracks
         assemble();
       }
 
-      /// Assemble for the phase field, or another one.
+      /// The matrix where everything is stretched, for a phase field that is
+      /// @p broken_value in the broken part. The right hand side is what the
+      /// top alone moved up leaves.
       void
       assemble(const double broken_value = 0.)
       {
-        const Vector elastic = start(), phi = phase_field(broken_value);
-        right_hand_side = fields.owned_vector(fields.elastic_dofs);
-        assembler->elastic_residual(
-          elastic, phi, constraints.elastic_hanging_nodes(), right_hand_side);
+        const Vector phi     = phase_field(broken_value);
+        const auto  &hanging = constraints.elastic_hanging_nodes();
+        right_hand_side      = fields.owned_vector(fields.elastic_dofs);
+        assembler->elastic_residual(stretched(), phi, hanging, right_hand_side);
+        assembler->elastic_matrix(constraints.elastic_corrections(), matrix);
+        assembler->elastic_residual(lifted(), phi, hanging, right_hand_side);
         constraints.drop_prescribed(right_hand_side);
         right_hand_side *= -1.;
-        assembler->elastic_matrix(constraints.elastic_corrections(), matrix);
       }
 
       LinearSystem
@@ -138,13 +141,17 @@ namespace MixedCracks
       clamps() const
       {
         std::vector<PrescribedComponent<dim>> result;
+        const unsigned int n_components = dim + (options.mixed ? 1 : 0);
         for (const unsigned int boundary : {2 * dim - 2, 2 * dim - 1})
           for (unsigned int d = 0; d < dim; ++d)
+          {
+            const bool moves = boundary == 2 * dim - 1 && d == dim - 1;
             result.push_back(
               {boundary,
                d,
-               std::make_shared<dealii::Functions::ZeroFunction<dim>>(
-                 dim + (options.mixed ? 1 : 0))});
+               std::make_shared<dealii::Functions::ConstantFunction<dim>>(
+                 moves ? 1. : 0., n_components)});
+          }
         return result;
       }
 
@@ -191,9 +198,19 @@ namespace MixedCracks
         matrix.reinit(pattern);
       }
 
-      // stretched evenly, with the chosen pressure
       Vector
-      start() const
+      lifted() const
+      {
+        Vector owned = fields.owned_vector(fields.elastic_dofs);
+        constraints.apply_prescribed(1., owned);
+        Vector result = fields.ghosted_vector(fields.elastic_dofs);
+        result        = owned;
+        return result;
+      }
+
+      // evenly, with the chosen pressure
+      Vector
+      stretched() const
       {
         std::vector<std::function<double(const dealii::Point<dim> &)>> values(
           dim, [](const dealii::Point<dim> &) { return 0.; });
