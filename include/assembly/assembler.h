@@ -13,6 +13,7 @@
 
 #include <discretization/fields.h>
 
+#include <functional>
 #include <map>
 
 namespace MixedCracks
@@ -92,6 +93,15 @@ namespace MixedCracks
     {
       return elastic_kernel.jacobian_is_symmetric();
     }
+
+    /// Call @p body with number and geometry of every owned cell, and with
+    /// its responses at the quadrature points, in the state of the last
+    /// elastic_matrix().
+    void visit_tangents(
+      const std::function<void(unsigned int,
+                               const CellGeometry<dim> &,
+                               const std::vector<ElasticResponse<dim>> &)>
+        &body);
 
     /// Nodal forces of a body force (N/mm^3) and of tractions (MPa) by
     /// boundary id, per mm thickness, added to @p forces.

@@ -63,6 +63,13 @@ namespace MixedCracks
       return states;
     }
 
+    /// Stresses and their derivatives there.
+    const std::vector<ElasticResponse<dim>> &
+    point_responses() const
+    {
+      return responses;
+    }
+
     /// As often as wanted after set_state(). Units: N/mm for the rows of the
     /// displacement, mm^2 for those of the pressure (in 2-d).
     void residual(dealii::Vector<double> &result) const;

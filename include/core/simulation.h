@@ -121,6 +121,9 @@ namespace MixedCracks
 
     void collect_warnings();
 
+    /// When it is another one than before.
+    void log_linear_solver();
+
     void log_end(const RunOutcome &outcome, const Summary &summary);
 
     void log_step(const StatisticsRow &row);
@@ -167,6 +170,7 @@ namespace MixedCracks
     unsigned int             n_refinements      = 0; // of the mesh, in all
     unsigned int             n_imbalanced_steps = 0;
     std::string              case_in_words;
+    std::string              linear_solver_in_words;
     std::vector<std::string> warnings;
   };
 } // namespace MixedCracks

@@ -3,6 +3,7 @@
 #define mixed_cracks_core_step_elastic_h
 
 #include <assembly/assembler.h>
+#include <assembly/auxiliary_matrices.h>
 #include <assembly/fluid_assembler.h>
 
 #include <core/state.h>
@@ -11,8 +12,7 @@
 
 #include <discretization/constraints.h>
 
-#include <solvers/direct_solver.h>
-#include <solvers/newton.h>
+#include <solvers/parameters.h>
 
 namespace MixedCracks
 {
@@ -42,7 +42,7 @@ namespace MixedCracks
   public:
     struct Counts
     {
-      unsigned int factorizations = 0;
+      unsigned int factorizations = 0; ///< or hierarchies of multigrid
       unsigned int solves         = 0;
     };
 
@@ -50,7 +50,8 @@ namespace MixedCracks
                 const Constraints<dim> &constraints,
                 Assembler<dim>         &assembler,
                 Loads<dim>              loads,
-                dealii::TimerOutput    &timer);
+                dealii::TimerOutput    &timer,
+                const SolverParameters &solver_parameters = {});
 
     /// To be called when the mesh changed.
     LinearOutcome reinit();
@@ -76,13 +77,24 @@ namespace MixedCracks
       return count;
     }
 
-    const DirectSolver &
+    /// After reinit().
+    const LinearSolver &
     linear_solver() const
     {
-      return solver;
+      return *solver;
     }
 
+    /// Which linear solver is used and why, for the log.
+    std::string linear_solver_in_words() const;
+
   private:
+    void make_matrix();
+
+    /// Make the linear solver for this mesh, if it has to be another one.
+    void choose_solver();
+
+    LinearSystem describe_system();
+
     /// Of body force and tractions.
     LinearAlgebra::Vector dead_loads(double time) const;
 
@@ -98,22 +110,28 @@ namespace MixedCracks
 
     LinearOutcome update_matrix(bool force);
 
+    LinearOutcome solve_for_correction(double relative_tolerance);
+
     const Fields<dim>      &fields;
     const Constraints<dim> &constraints;
     Assembler<dim>         &assembler;
     Loads<dim>              loads;
     dealii::TimerOutput    &timer;
 
-    std::vector<bool>           pressure_dofs; // owned ones, in order
-    LinearAlgebra::SparseMatrix matrix;
-    DirectSolver                solver;
-    LinearAlgebra::Vector       iterate;
-    LinearAlgebra::Vector       full_residual;
-    LinearAlgebra::Vector       residual;
-    LinearAlgebra::Vector       correction;
-    LinearAlgebra::Vector       external;
-    ElasticAssessment           assessment;
-    Counts                      count;
+    const std::string             solver_name;
+    const LinearSolverOptions     solver_options;
+    LinearSolverChoice            choice;
+    AssembledAuxiliaries<dim>     auxiliaries;
+    std::vector<bool>             pressure_dofs; // owned ones, in order
+    LinearAlgebra::SparseMatrix   matrix;
+    std::unique_ptr<LinearSolver> solver; // lives shorter than the matrix
+    LinearAlgebra::Vector         iterate;
+    LinearAlgebra::Vector         full_residual;
+    LinearAlgebra::Vector         residual;
+    LinearAlgebra::Vector         correction;
+    LinearAlgebra::Vector         external;
+    ElasticAssessment             assessment;
+    Counts                        count;
   };
 } // namespace MixedCracks
 

@@ -4,7 +4,7 @@
 
 #include <core/linear_algebra.h>
 
-#include <solvers/direct_solver.h>
+#include <solvers/linear_solver.h>
 
 #include <vector>
 

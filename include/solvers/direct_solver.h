@@ -2,7 +2,7 @@
 #ifndef mixed_cracks_solvers_direct_solver_h
 #define mixed_cracks_solvers_direct_solver_h
 
-#include <core/linear_algebra.h>
+#include <solvers/linear_solver.h>
 
 #include <memory>
 #include <string>
@@ -10,21 +10,6 @@
 
 namespace MixedCracks
 {
-  /// What became of a linear solve; the same on every rank.
-  struct LinearOutcome
-  {
-    bool         success    = true;
-    unsigned int iterations = 0;
-    std::string  reason; ///< why it failed, in words
-  };
-
-  /// What is known about a matrix before its values are.
-  enum class MatrixSymmetry
-  {
-    symmetric, ///< half the work where the package can use it
-    none
-  };
-
   /// One package behind DirectSolver; the same contract.
   class DirectSolverPackage
   {
@@ -36,28 +21,57 @@ namespace MixedCracks
     virtual LinearOutcome
     solve(LinearAlgebra::Vector       &solution,
           const LinearAlgebra::Vector &right_hand_side) = 0;
+
+    /// Of the unknowns, by the analysis; empty where it is not known.
+    virtual std::string
+    ordering() const
+    {
+      return "";
+    }
   };
 
   /// A sparse direct solver: analysis once per pattern, factorisation when
   /// values changed, solution as often as wanted. MUMPS through its own
   /// interface, or whatever Amesos of Trilinos offers. Collective.
-  class DirectSolver
+  class DirectSolver : public LinearSolver
   {
   public:
     /// @p package: one of available_packages(), empty for the first of them.
-    explicit DirectSolver(const std::string &package = "");
+    /// @p ordering: one of Mumps::orderings(); others choose their own.
+    explicit DirectSolver(const std::string &package  = "",
+                          const std::string &ordering = "automatic");
 
     /// Take the matrix, whose values may change later but not its pattern,
     /// and analyse the pattern. The matrix must outlive the solver.
     LinearOutcome initialize(const LinearAlgebra::SparseMatrix &matrix,
                              MatrixSymmetry                     symmetry);
 
-    /// Factorise the present values.
-    LinearOutcome factorize();
+    LinearOutcome initialize(const LinearSystem &system) override;
+
+    LinearOutcome factorize() override;
 
     /// matrix * @p solution = @p right_hand_side with the last factors.
     LinearOutcome solve(LinearAlgebra::Vector       &solution,
                         const LinearAlgebra::Vector &right_hand_side);
+
+    LinearOutcome solve(LinearAlgebra::Vector       &solution,
+                        const LinearAlgebra::Vector &right_hand_side,
+                        double relative_tolerance) override;
+
+    bool
+    is_direct() const override
+    {
+      return true;
+    }
+
+    unsigned int
+    n_setups() const override
+    {
+      return n_factorizations;
+    }
+
+    /// The package, and the ordering where it is not the one asked for.
+    std::string description() const override;
 
     /// The package in use, as "MUMPS" or "Amesos Klu".
     const std::string &
@@ -71,7 +85,9 @@ namespace MixedCracks
 
   private:
     std::string                          name;
+    std::string                          ordering;
     std::unique_ptr<DirectSolverPackage> solver;
+    unsigned int                         n_factorizations = 0;
   };
 } // namespace MixedCracks
 

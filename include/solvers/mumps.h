@@ -15,10 +15,17 @@ namespace MixedCracks
     /// False where the program was built without MUMPS.
     static bool is_available();
 
+    /// Names of the orderings MUMPS may have been built with; "automatic",
+    /// which leaves the choice to MUMPS, before the others.
+    static std::vector<std::string> orderings();
+
     /// Analyse the pattern; @p outcome says whether that succeeded.
+    /// @p ordering: one of orderings(). MUMPS takes another one where it has
+    /// not got it.
     Mumps(const LinearAlgebra::SparseMatrix &matrix,
           MatrixSymmetry                     symmetry,
-          LinearOutcome                     &outcome);
+          LinearOutcome                     &outcome,
+          const std::string                 &ordering = "automatic");
 
     ~Mumps() override;
 
@@ -26,6 +33,13 @@ namespace MixedCracks
 
     LinearOutcome solve(LinearAlgebra::Vector       &solution,
                         const LinearAlgebra::Vector &right_hand_side) override;
+
+    /// The one the analysis has used.
+    std::string ordering() const override;
+
+    /// Entries of the factors, as the analysis estimates them; for
+    /// measurements.
+    double n_entries_of_factors() const;
 
   private:
     struct Implementation;

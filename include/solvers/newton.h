@@ -4,7 +4,7 @@
 
 #include <core/linear_algebra.h>
 
-#include <solvers/direct_solver.h>
+#include <solvers/linear_solver.h>
 
 #include <functional>
 #include <string>
@@ -36,6 +36,10 @@ namespace MixedCracks
     unsigned int max_bisections    = 6; ///< of the line search
     /// an old matrix is given up when it reduces the residual by less
     double required_reduction = 0.3;
+    /// iterative solvers reduce the residual by this at first ...
+    double loose_linear_tolerance = 1e-2;
+    /// ... and never by less than this
+    double tight_linear_tolerance = 1e-8;
   };
 
   struct NewtonOutcome
@@ -56,15 +60,19 @@ namespace MixedCracks
     /// Make the matrix that of the present iterate. @p force: also when the
     /// one at hand is near enough to be tried first.
     std::function<LinearOutcome(bool force)> update_matrix;
-    /// Solve for the correction of the kept residual.
-    std::function<LinearOutcome()> solve;
+    /// Solve for the correction of the kept residual, up to
+    /// @p relative_tolerance.
+    std::function<LinearOutcome(double relative_tolerance)> solve;
     /// Move the iterate by @p factor times the correction.
     std::function<void(double factor)> move;
   };
 
   /// Semismooth Newton with bisection line search. Between the kinks of the
   /// split the elastic problem is linear, so one iteration is the rule; an
-  /// old matrix is used as long as it contracts.
+  /// old matrix is used as long as it contracts. The tolerance of the linear
+  /// solves follows from how far the last linear model was off (Eisenstat and
+  /// Walker, SIAM J. Sci. Comput. 17 (1996), choice 1), and is never below
+  /// what the target asks for.
   NewtonOutcome solve_newton(const NewtonProblem &problem,
                              const NewtonOptions &options);
 } // namespace MixedCracks

@@ -13,11 +13,15 @@ namespace MixedCracks
   /// Subsection "Linear solver" with the tolerances of Newton's method.
   struct SolverParameters
   {
-    std::string   name = "direct";
-    NewtonOptions newton;
+    std::string         name = "direct";
+    LinearSolverOptions linear;
+    NewtonOptions       newton;
 
     /// Enters the subsection itself.
     void add_parameters(dealii::ParameterHandler &prm);
+
+    /// Throws InputError for tolerances that contradict each other.
+    void check() const;
   };
 } // namespace MixedCracks
 

@@ -55,6 +55,7 @@ namespace MixedCracks
                        "Geometry/Dimension = 3, allowed is false: paths of "
                        "cracks are known in 2-d only. Load stepping/Stop when "
                        "force falls below ends a run in 3-d.");
+    solver.check();
     output.check();
     crack_opening.check();
 

@@ -121,7 +121,7 @@ namespace MixedCracks
     Loads<dim> loads = make_loads(parameters, n_components);
     loads.fluid      = make_fluid(parameters, fields);
     elastic_step     = std::make_unique<ElasticStep<dim>>(
-      fields, constraints, *assembler, loads, timer);
+      fields, constraints, *assembler, loads, timer, parameters.solver);
     phase_field_step = std::make_unique<PhaseFieldStep<dim>>(
       fields, constraints, *material, *assembler, loads.fluid, timer);
     step_solver = std::make_unique<StepSolver<dim>>(
@@ -138,8 +138,6 @@ namespace MixedCracks
         }},
       communicator,
       log);
-    log.line("linear solver: direct, " +
-             elastic_step->linear_solver().package());
   }
 
 
@@ -151,6 +149,7 @@ namespace MixedCracks
     const LinearOutcome analysis = elastic_step->reinit();
     if (!analysis.success)
       throw SolverError(analysis.reason);
+    log_linear_solver();
     phase_field_step->reinit();
     boundary_quantities.reinit();
     crack_observer.reinit();

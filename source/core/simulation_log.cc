@@ -205,6 +205,18 @@ namespace MixedCracks
 
   template <int dim>
   void
+  Simulation<dim>::log_linear_solver()
+  {
+    const std::string text = elastic_step->linear_solver_in_words();
+    if (text != linear_solver_in_words)
+      log.line("linear solver: " + text);
+    linear_solver_in_words = text;
+  }
+
+
+
+  template <int dim>
+  void
   Simulation<dim>::log_end(const RunOutcome &outcome, const Summary &summary)
   {
     const StatisticsRow &peak = statistics.rows()[peak_row(statistics.rows())];
@@ -251,6 +263,7 @@ namespace MixedCracks
   template void   Simulation<dim>::preflight();                     \
   template void   Simulation<dim>::log_step(const StatisticsRow &); \
   template void   Simulation<dim>::check_energy_balance();          \
+  template void   Simulation<dim>::log_linear_solver();             \
   template void   Simulation<dim>::log_end(const RunOutcome &, const Summary &);
   INSTANTIATE(2)
   INSTANTIATE(3)

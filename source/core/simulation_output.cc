@@ -200,7 +200,7 @@ namespace MixedCracks
     summary.pressure_law       = parameters.model.pressure_law;
     summary.formulation        = parameters.model.formulation;
     summary.kinematics         = dim == 2 ? parameters.model.kinematics : "3-d";
-    summary.linear_solver      = elastic_step->linear_solver().package();
+    summary.linear_solver      = elastic_step->linear_solver().description();
     summary.ranks              = Utilities::MPI::n_mpi_processes(communicator);
     summary.cell_size          = cell_size;
     summary.length_scale       = material->description().length_scale;

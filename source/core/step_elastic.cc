@@ -3,6 +3,8 @@
 
 #include <deal.II/dofs/dof_tools.h>
 
+#include <discretization/rigid_body_modes.h>
+
 namespace MixedCracks
 {
   using namespace dealii;
@@ -29,24 +31,24 @@ namespace MixedCracks
                                 const Constraints<dim> &constraints,
                                 Assembler<dim>         &assembler,
                                 Loads<dim>              loads,
-                                TimerOutput            &timer)
+                                TimerOutput            &timer,
+                                const SolverParameters &solver_parameters)
     : fields(fields)
     , constraints(constraints)
     , assembler(assembler)
     , loads(std::move(loads))
     , timer(timer)
+    , solver_name(solver_parameters.name)
+    , solver_options(solver_parameters.linear)
+    , auxiliaries(fields, constraints.elastic_corrections())
   {}
 
 
 
   template <int dim>
-  LinearOutcome
-  ElasticStep<dim>::reinit()
+  void
+  ElasticStep<dim>::make_matrix()
   {
-    TimerOutput::Scope scope(timer, "setup");
-    assembler.reinit();
-    if (loads.fluid)
-      loads.fluid->reinit();
     const DofSets                 &dofs = fields.elastic_dofs;
     LinearAlgebra::SparsityPattern pattern(
       dofs.owned, dofs.owned, dofs.relevant, fields.communicator());
@@ -58,6 +60,20 @@ namespace MixedCracks
       Utilities::MPI::this_mpi_process(fields.communicator()));
     pattern.compress();
     matrix.reinit(pattern);
+  }
+
+
+
+  template <int dim>
+  LinearOutcome
+  ElasticStep<dim>::reinit()
+  {
+    TimerOutput::Scope scope(timer, "setup");
+    assembler.reinit();
+    if (loads.fluid)
+      loads.fluid->reinit();
+    make_matrix();
+    const DofSets &dofs = fields.elastic_dofs;
     for (Vector *vector :
          {&iterate, &full_residual, &residual, &correction, &external})
       vector->reinit(dofs.owned, fields.communicator());
@@ -70,10 +86,58 @@ namespace MixedCracks
       for (const auto dof : pressure)
         pressure_dofs[dofs.owned.index_within_set(dof)] = true;
     }
-    return solver.initialize(matrix,
-                             assembler.elastic_matrix_is_symmetric()
-                               ? MatrixSymmetry::symmetric
-                               : MatrixSymmetry::none);
+    choose_solver();
+    return solver->initialize(describe_system());
+  }
+
+
+
+  template <int dim>
+  void
+  ElasticStep<dim>::choose_solver()
+  {
+    const LinearSolverChoice earlier = choice;
+    choice = choose_linear_solver(solver_name, dim, fields.elastic.n_dofs());
+    if (!solver || choice.name != earlier.name)
+      solver = all_linear_solvers().make(choice.name, solver_options);
+    if (!solver->is_direct())
+      auxiliaries.reinit();
+  }
+
+
+
+  template <int dim>
+  LinearSystem
+  ElasticStep<dim>::describe_system()
+  {
+    LinearSystem system;
+    system.matrix       = &matrix;
+    system.symmetry     = assembler.elastic_matrix_is_symmetric()
+                            ? MatrixSymmetry::symmetric
+                            : MatrixSymmetry::none;
+    system.n_components = dim;
+    system.is_pressure  = pressure_dofs;
+    for (const auto dof : fields.elastic_dofs.owned)
+      system.is_constrained.push_back(
+        constraints.elastic_corrections().is_constrained(dof));
+    system.rigid_body_modes = [this]() { return rigid_body_modes(fields); };
+    system.auxiliary        = [this]() {
+      auxiliaries.assemble(assembler);
+      return AuxiliaryMatrices{
+        auxiliaries.has_displacement() ? &auxiliaries.displacement() : nullptr,
+        fields.layout.mixed ? &auxiliaries.pressure() : nullptr};
+    };
+    return system;
+  }
+
+
+
+  template <int dim>
+  std::string
+  ElasticStep<dim>::linear_solver_in_words() const
+  {
+    return choice.name + ", " + solver->description() +
+           (choice.reason.empty() ? "" : " (auto: " + choice.reason + ")");
   }
 
 
@@ -180,7 +244,9 @@ namespace MixedCracks
   LinearOutcome
   ElasticStep<dim>::update_matrix(const bool force)
   {
-    const double allowed_change = force ? 0. : largest_degradation_change;
+    // assembly is cheap, factors are not
+    const double allowed_change =
+      force || !solver->is_direct() ? 0. : largest_degradation_change;
     if (assessment.branch_changes == 0. &&
         assessment.degradation_change <= allowed_change)
       return {};
@@ -188,9 +254,28 @@ namespace MixedCracks
       TimerOutput::Scope scope(timer, "assembly");
       assembler.elastic_matrix(constraints.elastic_corrections(), matrix);
     }
-    TimerOutput::Scope scope(timer, "factorisation");
-    ++count.factorizations;
-    return solver.factorize();
+    TimerOutput::Scope  scope(timer, "factorisation");
+    const unsigned int  before  = solver->n_setups();
+    const LinearOutcome outcome = solver->factorize();
+    count.factorizations += solver->n_setups() - before;
+    return outcome;
+  }
+
+
+
+  template <int dim>
+  LinearOutcome
+  ElasticStep<dim>::solve_for_correction(const double relative_tolerance)
+  {
+    TimerOutput::Scope scope(timer, "solve");
+    ++count.solves;
+    residual *= -1.;
+    const unsigned int  before = solver->n_setups();
+    const LinearOutcome outcome =
+      solver->solve(correction, residual, relative_tolerance);
+    count.factorizations += solver->n_setups() - before;
+    constraints.elastic_corrections().distribute(correction);
+    return outcome;
   }
 
 
@@ -206,13 +291,8 @@ namespace MixedCracks
     problem.update_matrix = [&](const bool force) {
       return update_matrix(force);
     };
-    problem.solve = [&]() {
-      TimerOutput::Scope scope(timer, "solve");
-      ++count.solves;
-      residual *= -1.;
-      const LinearOutcome outcome = solver.solve(correction, residual);
-      constraints.elastic_corrections().distribute(correction);
-      return outcome;
+    problem.solve = [&](const double relative_tolerance) {
+      return solve_for_correction(relative_tolerance);
     };
     problem.move = [&](const double factor) {
       iterate.add(factor, correction);

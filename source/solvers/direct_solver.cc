@@ -30,8 +30,10 @@ namespace MixedCracks
 
 
 
-  DirectSolver::DirectSolver(const std::string &package)
+  DirectSolver::DirectSolver(const std::string &package,
+                             const std::string &ordering)
     : name(package)
+    , ordering(ordering)
   {
     const std::vector<std::string> packages = available_packages();
     if (packages.empty())
@@ -53,7 +55,7 @@ namespace MixedCracks
     solver.reset();
     LinearOutcome outcome;
     if (name == mumps_name)
-      solver = std::make_unique<Mumps>(matrix, symmetry, outcome);
+      solver = std::make_unique<Mumps>(matrix, symmetry, outcome, ordering);
     else
       solver = std::make_unique<AmesosSolver>(
         name.substr(amesos_prefix.size()), matrix, outcome);
@@ -63,9 +65,18 @@ namespace MixedCracks
 
 
   LinearOutcome
+  DirectSolver::initialize(const LinearSystem &system)
+  {
+    return initialize(*system.matrix, system.symmetry);
+  }
+
+
+
+  LinearOutcome
   DirectSolver::factorize()
   {
     Assert(solver, dealii::ExcNotInitialized());
+    ++n_factorizations;
     return solver->factorize();
   }
 
@@ -77,5 +88,27 @@ namespace MixedCracks
   {
     Assert(solver, dealii::ExcNotInitialized());
     return solver->solve(solution, right_hand_side);
+  }
+
+
+
+  LinearOutcome
+  DirectSolver::solve(LinearAlgebra::Vector       &solution,
+                      const LinearAlgebra::Vector &right_hand_side,
+                      const double)
+  {
+    return solve(solution, right_hand_side);
+  }
+
+
+
+  std::string
+  DirectSolver::description() const
+  {
+    const std::string found = solver ? solver->ordering() : "";
+    if (found.empty() || ordering == "automatic" || found == ordering)
+      return name;
+    return name + " (ordering by " + found + "; this one has no " + ordering +
+           ")";
   }
 } // namespace MixedCracks

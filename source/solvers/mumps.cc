@@ -4,6 +4,34 @@
 #include <solvers/mumps.h>
 
 #include <cstddef>
+#include <utility>
+
+namespace MixedCracks
+{
+  namespace
+  {
+    // with the numbers of the manual, ICNTL(7) and INFOG(7)
+    const std::vector<std::pair<std::string, int>> all_orderings = {
+      {"automatic", 7},
+      {"METIS", 5},
+      {"SCOTCH", 3},
+      {"PORD", 4},
+      {"AMD", 0},
+      {"AMF", 2},
+      {"QAMD", 6}};
+  } // namespace
+
+
+
+  std::vector<std::string>
+  Mumps::orderings()
+  {
+    std::vector<std::string> result;
+    for (const auto &[name, number] : all_orderings)
+      result.push_back(name);
+    return result;
+  }
+} // namespace MixedCracks
 
 #ifdef MIXED_CRACKS_WITH_MUMPS
 
@@ -35,18 +63,24 @@ namespace MixedCracks
       diagnostic_stream  = 1,
       global_stream      = 2,
       print_level        = 3,
+      ordering_kind      = 6,
       workspace_increase = 13, // percent
-      matrix_input       = 17
+      matrix_input       = 17,
+      analysis_kind      = 27
     };
-    constexpr int distributed_input  = 3;
-    constexpr int initial_workspace  = 30;
-    constexpr int largest_workspace  = 2000;
-    constexpr int too_little_integer = -8;
-    constexpr int too_little_real    = -9;
-    constexpr int singular_structure = -6;
-    constexpr int singular           = -10;
-    constexpr int out_of_memory      = -13;
-    constexpr int master             = 0;
+    // entries of the global information, counted from 0
+    constexpr int used_ordering       = 6;
+    constexpr int entries_of_factors  = 19;
+    constexpr int sequential_analysis = 1;
+    constexpr int distributed_input   = 3;
+    constexpr int initial_workspace   = 30;
+    constexpr int largest_workspace   = 2000;
+    constexpr int too_little_integer  = -8;
+    constexpr int too_little_real     = -9;
+    constexpr int singular_structure  = -6;
+    constexpr int singular            = -10;
+    constexpr int out_of_memory       = -13;
+    constexpr int master              = 0;
   } // namespace
 
 
@@ -175,7 +209,8 @@ namespace MixedCracks
 
   Mumps::Mumps(const LinearAlgebra::SparseMatrix &matrix,
                const MatrixSymmetry               symmetry,
-               LinearOutcome                     &outcome)
+               LinearOutcome                     &outcome,
+               const std::string                 &ordering)
     : implementation(std::make_unique<Implementation>())
   {
     Implementation &my = *implementation;
@@ -193,7 +228,13 @@ namespace MixedCracks
     data.icntl[print_level]        = 0;
     data.icntl[matrix_input]       = distributed_input;
     data.icntl[workspace_increase] = initial_workspace;
-    data.n                         = matrix.m();
+    for (const auto &[name, number] : all_orderings)
+      if (name == ordering)
+        data.icntl[ordering_kind] = number;
+    if (ordering != "automatic")
+      // the parallel one has orderings of its own
+      data.icntl[analysis_kind] = sequential_analysis;
+    data.n = matrix.m();
     my.take_pattern(data.sym != 0);
     my.take_owners();
     my.run(analysis);
@@ -266,6 +307,28 @@ namespace MixedCracks
     outcome.iterations    = 1;
     return outcome;
   }
+
+
+
+  std::string
+  Mumps::ordering() const
+  {
+    const int used = implementation->data.infog[used_ordering];
+    for (const auto &[name, number] : all_orderings)
+      if (number == used)
+        return name;
+    return "number " + std::to_string(used);
+  }
+
+
+
+  double
+  Mumps::n_entries_of_factors() const
+  {
+    const int entries = implementation->data.infog[entries_of_factors];
+    // negative: in millions
+    return entries < 0 ? -1e6 * entries : entries;
+  }
 } // namespace MixedCracks
 
 #else
@@ -287,7 +350,8 @@ namespace MixedCracks
 
   Mumps::Mumps(const LinearAlgebra::SparseMatrix &,
                const MatrixSymmetry,
-               LinearOutcome &)
+               LinearOutcome &,
+               const std::string &)
   {
     AssertThrow(false, dealii::ExcNotImplemented());
   }
@@ -310,6 +374,22 @@ namespace MixedCracks
   Mumps::solve(LinearAlgebra::Vector &, const LinearAlgebra::Vector &)
   {
     return {};
+  }
+
+
+
+  std::string
+  Mumps::ordering() const
+  {
+    return "";
+  }
+
+
+
+  double
+  Mumps::n_entries_of_factors() const
+  {
+    return 0.;
   }
 } // namespace MixedCracks
 

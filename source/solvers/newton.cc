@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include <solvers/newton.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace MixedCracks
@@ -33,11 +34,50 @@ namespace MixedCracks
 
     LinearOutcome
     compute_correction(const NewtonProblem &problem,
-                       const bool           force_new_matrix)
+                       const bool           force_new_matrix,
+                       const double         linear_tolerance)
     {
       const LinearOutcome matrix = problem.update_matrix(force_new_matrix);
-      return matrix.success ? problem.solve() : matrix;
+      return matrix.success ? problem.solve(linear_tolerance) : matrix;
     }
+
+
+
+    // How accurate linear solves should be.
+    class LinearTolerance
+    {
+    public:
+      LinearTolerance(const NewtonOptions &options, const double target)
+        : options(options)
+        , target(target)
+        , wanted(options.loose_linear_tolerance)
+      {}
+
+      // for the residual of size @p residual
+      double
+      next(const double residual)
+      {
+        // half of the target: the linear solver measures in another norm
+        used = std::max({std::min(wanted, options.loose_linear_tolerance),
+                         options.tight_linear_tolerance,
+                         0.5 * target / residual});
+        used = std::min(used, 0.5 * options.required_reduction);
+        return used;
+      }
+
+      // An exact linear model would have left used * before.
+      void
+      learn(const double before, const double after)
+      {
+        wanted = std::abs(after / before - used);
+      }
+
+    private:
+      const NewtonOptions &options;
+      const double         target;
+      double               wanted;
+      double               used = 0.;
+    };
   } // namespace
 
 
@@ -50,6 +90,7 @@ namespace MixedCracks
     bool         force_new_matrix = false;
     const double target           = std::max(
       options.tolerance, options.relative_tolerance * outcome.first.largest());
+    LinearTolerance linear_tolerance(options, target);
     while (!(outcome.last.largest() <= target))
     {
       if (options.enough_iterations > 0 &&
@@ -64,7 +105,9 @@ namespace MixedCracks
         return outcome;
       }
       const LinearOutcome linear =
-        compute_correction(problem, force_new_matrix);
+        compute_correction(problem,
+                           force_new_matrix,
+                           linear_tolerance.next(outcome.last.largest()));
       if (!linear.success)
       {
         outcome.reason = linear.reason;
@@ -79,6 +122,7 @@ namespace MixedCracks
         outcome.reason = "the residual is not a number";
         return outcome;
       }
+      linear_tolerance.learn(before.largest(), outcome.last.largest());
       force_new_matrix =
         outcome.last.largest() > options.required_reduction * before.largest();
     }

@@ -1,22 +1,73 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
+#include <core/errors.h>
+#include <core/log.h>
+#include <core/names.h>
+
 #include <deal.II/base/patterns.h>
 
+#include <solvers/mumps.h>
 #include <solvers/parameters.h>
 
 namespace MixedCracks
 {
   namespace Patterns = dealii::Patterns;
 
+  namespace
+  {
+    void
+    add_linear_parameters(LinearSolverOptions      &linear,
+                          NewtonOptions            &newton,
+                          dealii::ParameterHandler &prm)
+    {
+      prm.add_parameter(
+        "Ordering",
+        linear.ordering,
+        "Of the unknowns, for 'direct' with MUMPS: how many "
+        "entries the factors have depends on it. 'automatic': "
+        "MUMPS chooses. A MUMPS built without the one asked "
+        "for takes another; the log says which.",
+        Patterns::Selection(join_names(Mumps::orderings(), "|")));
+      prm.add_parameter("Relative tolerance",
+                        newton.tight_linear_tolerance,
+                        "'block AMG' never reduces the residual |b - A x| / "
+                        "|b| of a linear system by more than this. How much "
+                        "it does depends on the progress of Newton's method "
+                        "and on 'Newton tolerance'. Unit: 1.",
+                        Patterns::Double(1e-14, 0.1));
+      prm.add_parameter("Loose relative tolerance",
+                        newton.loose_linear_tolerance,
+                        "What 'block AMG' starts with, and the least accurate "
+                        "solution it is ever asked for. Unit: 1.",
+                        Patterns::Double(1e-14, 0.1));
+      prm.add_parameter("Largest number of linear iterations",
+                        linear.max_iterations,
+                        "A linear system that needs more has not been solved, "
+                        "and the step is halved. For 'block AMG'.",
+                        Patterns::Integer(1));
+      prm.add_parameter("Tolerated growth of iterations",
+                        linear.tolerated_growth,
+                        "'block AMG' keeps its multigrid hierarchy for a new "
+                        "matrix as long as it needs at most this times the "
+                        "iterations, per digit, that it needed when it was "
+                        "new. 0: a new one for each matrix. Unit: 1.",
+                        Patterns::Double(0.));
+    }
+  } // namespace
+
+
+
   void
   SolverParameters::add_parameters(dealii::ParameterHandler &prm)
   {
     prm.enter_subsection("Linear solver");
-    prm.add_parameter("Name",
-                      name,
-                      "'direct': a sparse direct solver through Trilinos, the "
-                      "best one that is there (MUMPS, distributed, before the "
-                      "others); the log names it.",
-                      Patterns::Selection("direct"));
+    prm.add_parameter(
+      "Name",
+      name,
+      all_linear_solvers().documentation() +
+        " 'auto': one of them, by dimension and number of unknowns "
+        "(doc/solvers.md); the log says which one and why.",
+      Patterns::Selection(all_linear_solvers().selection() + "|auto"));
+    add_linear_parameters(linear, newton, prm);
     prm.add_parameter("Newton tolerance",
                       newton.tolerance,
                       "Newton's method for (u, p) ends when the residual is "
@@ -27,5 +78,18 @@ namespace MixedCracks
                       "A step that needs more has failed and is halved.",
                       Patterns::Integer(1));
     prm.leave_subsection();
+  }
+
+
+
+  void
+  SolverParameters::check() const
+  {
+    if (newton.loose_linear_tolerance < newton.tight_linear_tolerance)
+      throw InputError(
+        printed("Linear solver/Loose relative tolerance: found %g; allowed are "
+                "values from 'Relative tolerance', %g, to 0.1.",
+                newton.loose_linear_tolerance,
+                newton.tight_linear_tolerance));
   }
 } // namespace MixedCracks

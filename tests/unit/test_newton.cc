@@ -39,7 +39,7 @@ namespace
         }
         return LinearOutcome();
       };
-      problem.solve = [this]() {
+      problem.solve = [this](double) {
         correction = -value(x) / slope;
         return LinearOutcome{true, 1, ""};
       };
@@ -181,7 +181,7 @@ TEST(Newton, PassesTheReasonOfAFailedSolveOn)
   NewtonProblem problem;
   problem.residual      = []() { return ResidualSize{1., 0.}; };
   problem.update_matrix = [](bool) { return LinearOutcome(); };
-  problem.solve = []() { return LinearOutcome{false, 0, "out of memory"}; };
+  problem.solve = [](double) { return LinearOutcome{false, 0, "out of memory"}; };
   problem.move  = [](double) {};
   NewtonOutcome outcome = solve_newton(problem, {});
   EXPECT_FALSE(outcome.converged);
@@ -238,7 +238,7 @@ TEST(Newton, JudgesTheLargerOfBothResiduals)
   NewtonProblem problem;
   problem.residual = [&]() { return ResidualSize{0., n_moves == 0 ? 1. : 0.}; };
   problem.update_matrix       = [](bool) { return LinearOutcome(); };
-  problem.solve               = []() { return LinearOutcome(); };
+  problem.solve               = [](double) { return LinearOutcome(); };
   problem.move                = [&](double) { ++n_moves; };
   const NewtonOutcome outcome = solve_newton(problem, {});
   EXPECT_TRUE(outcome.converged);

@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#ifndef mixed_cracks_solvers_block_amg_h
+#define mixed_cracks_solvers_block_amg_h
+
+#include <solvers/linear_solver.h>
+#include <solvers/multigrid.h>
+
+namespace MixedCracks
+{
+  /// Iterative solver for displacement and pressure. The matrix
+  ///
+  ///     ( A  B^T )        is preconditioned from    ( A~  B^T )
+  ///     ( B  -C  )        the right by              ( 0   -S~ )
+  ///
+  /// A~: one multigrid cycle of LinearSystem::auxiliary's displacement
+  /// matrix; S~, near to C + B A^-1 B^T: incomplete factors of its pressure
+  /// matrix. B need not be the transpose of B^T. Without a pressure and with
+  /// a symmetric matrix: conjugate gradients with the cycle alone.
+  class BlockAmgSolver : public LinearSolver
+  {
+  public:
+    explicit BlockAmgSolver(const LinearSolverOptions &options);
+    ~BlockAmgSolver() override;
+
+    LinearOutcome initialize(const LinearSystem &system) override;
+
+    /// Only notes that the hierarchy is old; it may be good enough.
+    LinearOutcome factorize() override;
+
+    LinearOutcome solve(LinearAlgebra::Vector       &solution,
+                        const LinearAlgebra::Vector &right_hand_side,
+                        double relative_tolerance) override;
+
+    bool
+    is_direct() const override
+    {
+      return false;
+    }
+
+    unsigned int
+    n_setups() const override
+    {
+      return n_hierarchies;
+    }
+
+    std::string description() const override;
+
+    /// Of the present hierarchy.
+    double operator_complexity() const;
+
+  private:
+    class ScaledMatrix;
+    class Preconditioner;
+
+    void set_up();
+
+    /// Continue from @p solution until the scaled residual is below
+    /// @p tolerance.
+    LinearOutcome iterate(double                       tolerance,
+                          unsigned int                 max_iterations,
+                          LinearAlgebra::Vector       &solution,
+                          const LinearAlgebra::Vector &scaled_right_hand_side);
+
+    /// Iterations after which a hierarchy that is not new is given up.
+    unsigned int patience(double relative_tolerance) const;
+
+    LinearOutcome
+    solve_scaled(LinearAlgebra::Vector       &solution,
+                 const LinearAlgebra::Vector &scaled_right_hand_side,
+                 double                       relative_tolerance);
+
+    LinearSolverOptions         options;
+    LinearSystem                system;
+    bool                        has_pressure = false; // on any rank
+    std::vector<bool>           is_displacement;
+    std::unique_ptr<Multigrid>  multigrid;
+    std::unique_ptr<MassSolver> mass_solver;
+    LinearAlgebra::Vector       row_scale;
+    double                      matrix_diagonal      = 0.; // mean, of A
+    bool                        is_old               = false;
+    double                      iterations_per_digit = 0.; // when new
+    unsigned int                n_hierarchies        = 0;
+  };
+} // namespace MixedCracks
+
+#endif

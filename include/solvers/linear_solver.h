@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#ifndef mixed_cracks_solvers_linear_solver_h
+#define mixed_cracks_solvers_linear_solver_h
+
+#include <core/linear_algebra.h>
+#include <core/registry.h>
+
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace MixedCracks
+{
+  /// What became of a linear solve; the same on every rank.
+  struct LinearOutcome
+  {
+    bool         success    = true;
+    unsigned int iterations = 0;
+    std::string  reason; ///< why it failed, in words
+  };
+
+  /// What is known about a matrix before its values are.
+  enum class MatrixSymmetry
+  {
+    symmetric, ///< half the work where the package can use it
+    none
+  };
+
+  /// Matrices that are near to parts of the one to be solved with, or to its
+  /// Schur complement, and easier. In the numbering of the whole; rows of
+  /// other unknowns are empty.
+  struct AuxiliaryMatrices
+  {
+    /// nullptr: the matrix itself serves
+    const LinearAlgebra::SparseMatrix *displacement = nullptr;
+    /// positive definite; nullptr where there is no pressure
+    const LinearAlgebra::SparseMatrix *pressure = nullptr;
+  };
+
+  /// A matrix with what an iterative solver wants to know about its
+  /// unknowns. Direct solvers need the first two members only.
+  struct LinearSystem
+  {
+    /// must outlive the solver; its values may change, its pattern not
+    const LinearAlgebra::SparseMatrix *matrix   = nullptr;
+    MatrixSymmetry                     symmetry = MatrixSymmetry::none;
+    /// components of the displacement; those of one node follow each other
+    unsigned int n_components = 1;
+    /// one entry per owned row; the others are displacements
+    std::vector<bool> is_pressure;
+    /// one entry per owned row: whether a constraint determines the unknown.
+    /// Its row and column hold a diagonal entry only.
+    std::vector<bool> is_constrained;
+    /// what costs no energy: one entry per owned displacement, in order, for
+    /// each motion
+    std::function<std::vector<std::vector<double>>()> rigid_body_modes;
+    /// assemble for the present values of the matrix. Collective.
+    std::function<AuxiliaryMatrices()> auxiliary;
+  };
+
+  /// Options of all solvers; each takes what concerns it.
+  struct LinearSolverOptions
+  {
+    std::string  ordering       = "automatic"; ///< of direct solvers
+    unsigned int max_iterations = 200;         ///< of iterative ones
+    /// A multigrid hierarchy is kept for new values of the matrix as long as
+    /// it needs at most this times the iterations it needed at first; 0:
+    /// always a new one.
+    double tolerated_growth = 1.3;
+  };
+
+  /// Solves with one matrix, many times. Collective.
+  class LinearSolver
+  {
+  public:
+    virtual ~LinearSolver() = default;
+
+    /// Take a system with a new pattern, and analyse it.
+    virtual LinearOutcome initialize(const LinearSystem &system) = 0;
+
+    /// Take the present values of the matrix.
+    virtual LinearOutcome factorize() = 0;
+
+    /// matrix * @p solution = @p right_hand_side, the residual reduced by
+    /// @p relative_tolerance at least; direct solvers take no notice of it.
+    virtual LinearOutcome solve(LinearAlgebra::Vector       &solution,
+                                const LinearAlgebra::Vector &right_hand_side,
+                                double relative_tolerance) = 0;
+
+    /// Whether factors are expensive, and good for many exact solutions.
+    virtual bool is_direct() const = 0;
+
+    /// How often factors or hierarchies were computed.
+    virtual unsigned int n_setups() const = 0;
+
+    /// In a few words, for the log.
+    virtual std::string description() const = 0;
+  };
+
+  /// Linear solvers by name: "direct" and "block AMG".
+  const Registry<LinearSolver, const LinearSolverOptions &> &
+  all_linear_solvers();
+
+  /// Which solver is used, and why.
+  struct LinearSolverChoice
+  {
+    std::string name;
+    std::string reason; ///< empty where the user named it
+  };
+
+  /// "auto" resolved by dimension and number of unknowns of the matrix
+  /// (doc/solvers.md); other names are returned as they are.
+  LinearSolverChoice
+  choose_linear_solver(const std::string              &name,
+                       int                             dim,
+                       dealii::types::global_dof_index n_dofs);
+} // namespace MixedCracks
+
+#endif

@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include <deal.II/base/geometry_info.h>
+#include <deal.II/base/mpi.h>
+
+#include <deal.II/fe/fe.h>
+
+#include <discretization/rigid_body_modes.h>
+
+namespace MixedCracks
+{
+  using namespace dealii;
+
+  namespace
+  {
+    // one owned displacement dof
+    template <int dim>
+    struct Place
+    {
+      Point<dim>   position;
+      unsigned int component = invalid; // of the displacement
+
+      static constexpr unsigned int invalid = -1;
+    };
+
+
+
+    // by position among the owned dofs; pressures stay invalid
+    template <int dim>
+    std::vector<Place<dim>>
+    places_of(const Fields<dim> &fields)
+    {
+      const IndexSet                      &owned = fields.elastic_dofs.owned;
+      const FiniteElement<dim>            &fe    = fields.elastic.get_fe();
+      std::vector<Place<dim>>              places(owned.n_elements());
+      std::vector<types::global_dof_index> dofs(fe.n_dofs_per_cell());
+      // owned dofs may stand on cells of other ranks only for those, which
+      // are ghosts here
+      for (const auto &cell : fields.elastic.active_cell_iterators())
+      {
+        if (cell->is_artificial())
+          continue;
+        cell->get_dof_indices(dofs);
+        for (unsigned int i = 0; i < dofs.size(); ++i)
+        {
+          const unsigned int component = fe.system_to_component_index(i).first;
+          if (component >= dim || !owned.is_element(dofs[i]))
+            continue;
+          Place<dim> &place = places[owned.index_within_set(dofs[i])];
+          if (place.component != Place<dim>::invalid)
+            continue;
+          place.component = component;
+          place.position  = fields.mapping.transform_unit_to_real_cell(
+            cell, fe.unit_support_point(i));
+        }
+      }
+      return places;
+    }
+
+
+
+    // middle and half the largest extent of the box around all places
+    template <int dim>
+    std::pair<Point<dim>, double>
+    middle_and_size(const std::vector<Place<dim>> &places,
+                    const MPI_Comm                 communicator)
+    {
+      std::vector<double> largest(2 * dim,
+                                  std::numeric_limits<double>::lowest());
+      for (const Place<dim> &place : places)
+        if (place.component != Place<dim>::invalid)
+          for (unsigned int d = 0; d < dim; ++d)
+          {
+            largest[d]       = std::max(largest[d], place.position[d]);
+            largest[dim + d] = std::max(largest[dim + d], -place.position[d]);
+          }
+      Utilities::MPI::max(largest, communicator, largest);
+      Point<dim> middle;
+      double     size = 0.;
+      for (unsigned int d = 0; d < dim; ++d)
+      {
+        middle[d] = 0.5 * (largest[d] - largest[dim + d]);
+        size      = std::max(size, 0.5 * (largest[d] + largest[dim + d]));
+      }
+      return {middle, size};
+    }
+  } // namespace
+
+
+
+  template <int dim>
+  std::vector<std::vector<double>>
+  rigid_body_modes(const Fields<dim> &fields)
+  {
+    const auto places         = places_of(fields);
+    const auto [middle, size] = middle_and_size(places, fields.communicator());
+    constexpr unsigned int           n_rotations = dim * (dim - 1) / 2;
+    std::vector<std::vector<double>> modes(dim + n_rotations);
+    for (const Place<dim> &place : places)
+    {
+      if (place.component == Place<dim>::invalid)
+        continue;
+      const Tensor<1, dim> arm = (place.position - middle) / size;
+      for (unsigned int d = 0; d < dim; ++d)
+        modes[d].push_back(place.component == d ? 1. : 0.);
+      // in the plane of two axes each
+      unsigned int mode = dim;
+      for (unsigned int a = 0; a < dim; ++a)
+        for (unsigned int b = a + 1; b < dim; ++b, ++mode)
+          modes[mode].push_back(place.component == a   ? -arm[b]
+                                : place.component == b ? arm[a]
+                                                       : 0.);
+    }
+    return modes;
+  }
+
+
+
+  template std::vector<std::vector<double>> rigid_body_modes(const Fields<2> &);
+  template std::vector<std::vector<double>> rigid_body_modes(const Fields<3> &);
+} // namespace MixedCracks

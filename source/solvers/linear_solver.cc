@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include <solvers/block_amg.h>
+#include <solvers/direct_solver.h>
+#include <solvers/linear_solver.h>
+
+namespace MixedCracks
+{
+  namespace
+  {
+    // Unknowns from which on an iterative solution is faster, and needs less
+    // memory: measured, see doc/solvers.md.
+    constexpr dealii::types::global_dof_index crossover_2d = 600000;
+    constexpr dealii::types::global_dof_index crossover_3d = 30000;
+  } // namespace
+
+
+
+  const Registry<LinearSolver, const LinearSolverOptions &> &
+  all_linear_solvers()
+  {
+    static const Registry<LinearSolver, const LinearSolverOptions &> list(
+      "linear solver",
+      {{"direct",
+        "a sparse direct solver, the best one that is there (MUMPS, "
+        "distributed, before those of Trilinos); the log names it",
+        [](
+          const LinearSolverOptions &options) -> std::unique_ptr<LinearSolver> {
+          return std::make_unique<DirectSolver>("", options.ordering);
+        }},
+       {"block AMG",
+        "FGMRES with a block-triangular preconditioner, algebraic multigrid "
+        "for u and a weighted mass matrix for p; in the displacement "
+        "formulation conjugate gradients with the multigrid alone. Memory and "
+        "time grow with the number of unknowns",
+        [](
+          const LinearSolverOptions &options) -> std::unique_ptr<LinearSolver> {
+          return std::make_unique<BlockAmgSolver>(options);
+        }}});
+    return list;
+  }
+
+
+
+  LinearSolverChoice
+  choose_linear_solver(const std::string                    &name,
+                       const int                             dim,
+                       const dealii::types::global_dof_index n_dofs)
+  {
+    if (name != "auto")
+      return {name, ""};
+    const auto        crossover = dim == 2 ? crossover_2d : crossover_3d;
+    const bool        iterative = n_dofs >= crossover;
+    const std::string reason    = std::to_string(n_dofs) + " unknowns, " +
+                               (iterative ? "at least " : "fewer than ") +
+                               std::to_string(crossover) + " in " +
+                               std::to_string(dim) + "-d";
+    return {iterative ? "block AMG" : "direct", reason};
+  }
+} // namespace MixedCracks

@@ -1,0 +1,183 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include <deal.II/base/exceptions.h>
+
+#include <Epetra_Import.h>
+#include <Epetra_IntVector.h>
+#include <Epetra_Map.h>
+#include <Epetra_Vector.h>
+#include <Ifpack.h>
+#include <Teuchos_ParameterList.hpp>
+#include <ml_MultiLevelPreconditioner.h>
+#include <solvers/multigrid.h>
+
+namespace MixedCracks
+{
+  namespace
+  {
+    using dealii::ExcMessage;
+
+    // Chebyshev polynomials of this degree before and after each coarse step
+    constexpr int smoother_degree = 2;
+    // unknowns a direct solver is left with
+    constexpr int coarsest_size = 1500;
+
+    Teuchos::ParameterList
+    multigrid_parameters(const unsigned int n_components)
+    {
+      Teuchos::ParameterList list;
+      ML_Epetra::SetDefaults("SA", list);
+      list.set("ML output", 0);
+      list.set("PDE equations", static_cast<int>(n_components));
+      list.set("prec type", "MGW");
+      list.set("aggregation: type", "Uncoupled");
+      // nothing is dropped: between broken and intact cells entries differ by
+      // orders of magnitude, and both matter
+      list.set("aggregation: threshold", 0.);
+      list.set("smoother: type", "Chebyshev");
+      list.set("smoother: sweeps", smoother_degree);
+      list.set("smoother: pre or post", "both");
+      list.set("coarse: type", "Amesos-KLU");
+      list.set("coarse: max size", coarsest_size);
+      return list;
+    }
+
+
+
+    // apply an operator of Trilinos to arrays
+    template <typename Operator>
+    void
+    apply(const Operator   &inverse,
+          const Epetra_Map &map,
+          double           *result,
+          const double     *source)
+    {
+      const Epetra_Vector in(View, map, const_cast<double *>(source));
+      Epetra_Vector       out(View, map, result);
+      const int           error = inverse.ApplyInverse(in, out);
+      AssertThrow(error == 0, ExcMessage("a preconditioner failed"));
+    }
+  } // namespace
+
+
+
+  std::unique_ptr<Epetra_CrsMatrix>
+  extract_block(const Epetra_CrsMatrix &matrix, const std::vector<bool> &chosen)
+  {
+    const int        n_chosen = std::count(chosen.begin(), chosen.end(), true);
+    const Epetra_Map rows(-1, n_chosen, 0, matrix.Comm());
+    // new numbers of the columns, -1 for those left out
+    Epetra_IntVector owned(matrix.DomainMap());
+    for (int row = 0, next = 0; row < owned.MyLength(); ++row)
+      owned[row] = chosen[row] ? rows.GID(next++) : -1;
+    Epetra_IntVector numbers(matrix.ColMap());
+    if (const Epetra_Import *importer = matrix.Importer())
+      numbers.Import(owned, *importer, Insert);
+    else
+      numbers = owned;
+
+    int    *starts, *columns;
+    double *values;
+    AssertThrow(matrix.ExtractCrsDataPointers(starts, columns, values) == 0,
+                ExcMessage("the matrix is not compressed"));
+    std::vector<int> lengths;
+    for (int row = 0; row < matrix.NumMyRows(); ++row)
+      if (chosen[row])
+        lengths.push_back(std::count_if(
+          columns + starts[row],
+          columns + starts[row + 1],
+          [&](const int column) { return numbers[column] >= 0; }));
+    auto block =
+      std::make_unique<Epetra_CrsMatrix>(Copy, rows, lengths.data(), true);
+    std::vector<int>    block_columns;
+    std::vector<double> block_values;
+    for (int row = 0, next = 0; row < matrix.NumMyRows(); ++row)
+      if (chosen[row])
+      {
+        block_columns.clear();
+        block_values.clear();
+        for (int k = starts[row]; k < starts[row + 1]; ++k)
+          if (numbers[columns[k]] >= 0)
+          {
+            block_columns.push_back(numbers[columns[k]]);
+            block_values.push_back(values[k]);
+          }
+        block->InsertGlobalValues(rows.GID(next++),
+                                  block_columns.size(),
+                                  block_values.data(),
+                                  block_columns.data());
+      }
+    block->FillComplete();
+    block->OptimizeStorage();
+    return block;
+  }
+
+
+
+  Multigrid::Multigrid(std::unique_ptr<Epetra_CrsMatrix>       new_matrix,
+                       const unsigned int                      n_components,
+                       const std::vector<std::vector<double>> &modes)
+    : matrix(std::move(new_matrix))
+  {
+    std::vector<double> all_modes;
+    for (const std::vector<double> &mode : modes)
+      all_modes.insert(all_modes.end(), mode.begin(), mode.end());
+    Teuchos::ParameterList list = multigrid_parameters(n_components);
+    list.set("null space: type", "pre-computed");
+    list.set("null space: dimension", static_cast<int>(modes.size()));
+    list.set("null space: vectors", all_modes.data());
+    list.set("null space: add default vectors", false);
+    cycle = std::make_unique<ML_Epetra::MultiLevelPreconditioner>(
+      *matrix, list, true);
+    AssertThrow(cycle->IsPreconditionerComputed(),
+                ExcMessage("the multigrid hierarchy could not be built"));
+  }
+
+
+
+  Multigrid::~Multigrid() = default;
+
+
+
+  void
+  Multigrid::vmult(double *result, const double *source) const
+  {
+    apply(*cycle, matrix->RowMap(), result, source);
+  }
+
+
+
+  double
+  Multigrid::operator_complexity() const
+  {
+    double complexity, entries;
+    const_cast<ML_Epetra::MultiLevelPreconditioner &>(*cycle).Complexities(
+      complexity, entries);
+    return complexity;
+  }
+
+
+
+  MassSolver::MassSolver(std::unique_ptr<Epetra_CrsMatrix> new_matrix)
+    : matrix(std::move(new_matrix))
+  {
+    Ifpack preconditioners;
+    factors.reset(preconditioners.Create("ILU", matrix.get(), 0));
+    Teuchos::ParameterList list;
+    list.set("fact: level-of-fill", 0);
+    factors->SetParameters(list);
+    const int error = factors->Initialize() + factors->Compute();
+    AssertThrow(error == 0, ExcMessage("incomplete factorisation failed"));
+  }
+
+
+
+  MassSolver::~MassSolver() = default;
+
+
+
+  void
+  MassSolver::vmult(double *result, const double *source) const
+  {
+    apply(*factors, matrix->RowMap(), result, source);
+  }
+} // namespace MixedCracks

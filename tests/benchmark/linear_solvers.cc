@@ -1,0 +1,384 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+//
+//   linear_solvers study [options]
+//
+// Iterations, seconds and memory of the linear solvers on a square or cube
+// that is pulled apart; doc/solvers.md has the tables and the commands. Prints
+// one row of a Markdown table per system.
+//
+//   studies: sizes (uniform meshes), adaptive, incompressibility (lambda/mu),
+//            damage (kappa, intact to broken), orderings (of MUMPS)
+//   --dim 2|3  --largest UNKNOWNS  --smallest UNKNOWNS  --displacement
+//   --solver "block AMG"|direct|both  --worst (broken through, kappa = 1e-6)
+//   --tolerance 1e-8  --random (right hand side)
+#include "../unit/elastic_system.h"
+
+#include <core/log.h>
+
+#include <deal.II/base/timer.h>
+#include <deal.II/base/utilities.h>
+
+#include <solvers/direct_solver.h>
+#include <solvers/mumps.h>
+
+#include <iostream>
+#include <random>
+
+namespace
+{
+  using namespace MixedCracks;
+  using namespace MixedCracks::Testing;
+
+  struct Arguments
+  {
+    std::string study;
+    std::string solver    = "block AMG";
+    int         dim       = 2;
+    double      smallest  = 1e4;
+    double      largest   = 3e5;
+    bool        mixed     = true;
+    bool        worst     = false;
+    bool        random    = false;
+    double      tolerance = 1e-8;
+  };
+
+  Arguments
+  read(const int argc, char **argv)
+  {
+    Arguments result;
+    if (argc < 2)
+      throw InputError("usage: linear_solvers study [options]");
+    result.study = argv[1];
+    for (int i = 2; i < argc; ++i)
+    {
+      const std::string option = argv[i];
+      if (option == "--displacement")
+        result.mixed = false;
+      else if (option == "--worst")
+        result.worst = true;
+      else if (option == "--random")
+        result.random = true;
+      else if (i + 1 == argc)
+        throw InputError("a value is missing after " + option);
+      else if (option == "--dim")
+        result.dim = std::stoi(argv[++i]);
+      else if (option == "--largest")
+        result.largest = std::stod(argv[++i]);
+      else if (option == "--smallest")
+        result.smallest = std::stod(argv[++i]);
+      else if (option == "--solver")
+        result.solver = argv[++i];
+      else if (option == "--tolerance")
+        result.tolerance = std::stod(argv[++i]);
+      else
+        throw InputError("unknown option " + option);
+    }
+    return result;
+  }
+
+
+
+  // resident memory of all ranks, now, in MB
+  double
+  memory()
+  {
+    dealii::Utilities::System::MemoryStats stats;
+    dealii::Utilities::System::get_memory_stats(stats);
+    return dealii::Utilities::MPI::sum(stats.VmRSS / 1024., MPI_COMM_WORLD);
+  }
+
+
+
+  void
+  print(const std::string &line)
+  {
+    if (dealii::Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0)
+      std::cout << line << std::endl;
+  }
+
+
+
+  std::string
+  in_words(const ElasticSystemOptions &options)
+  {
+    const std::string damage = options.damage == Damage::none   ? "intact"
+                               : options.damage == Damage::half ? "half"
+                                                                : "through";
+    return printed("%u levels + %u | %s | %.0e | %.0e",
+                   options.refinements,
+                   options.adaptive_levels,
+                   damage.c_str(),
+                   options.lambda / options.mu,
+                   options.kappa);
+  }
+
+
+
+  double
+  seconds_of(const std::function<void()> &work)
+  {
+    MPI_Barrier(MPI_COMM_WORLD);
+    const dealii::Timer timer;
+    work();
+    MPI_Barrier(MPI_COMM_WORLD);
+    return timer.wall_time();
+  }
+
+
+
+  // one row: set-up is the analysis too, the first solve after it not
+  template <int dim>
+  void
+  measure(const std::string         &name,
+          ElasticSystem<dim>        &system,
+          const Arguments           &arguments,
+          const LinearSolverOptions &options = {})
+  {
+    const double memory_before = memory();
+    const auto   solver        = all_linear_solvers().make(name, options);
+    auto         solution      = system.right_hand_side;
+    const auto   require       = [](const LinearOutcome &outcome) {
+      if (!outcome.success)
+        print("failed: " + outcome.reason);
+    };
+    const double analysis =
+      seconds_of([&]() { require(solver->initialize(system.system())); });
+    const double  setup = seconds_of([&]() {
+      require(solver->factorize());
+      // iterative solvers set up when they are first asked; nothing to solve
+      // to this tolerance
+      require(solver->solve(solution, system.right_hand_side, 0.99));
+    });
+    LinearOutcome outcome;
+    const double  solve = seconds_of([&]() {
+      outcome =
+        solver->solve(solution, system.right_hand_side, arguments.tolerance);
+    });
+    require(outcome);
+    const double n = system.fields.elastic.n_dofs();
+    print(
+      printed("| %d | %u | %.0f | %s | %s | %u | %.2f | %.2f | %.2f | %.2f |",
+              dim,
+              dealii::Utilities::MPI::n_mpi_processes(MPI_COMM_WORLD),
+              n,
+              in_words(system.options).c_str(),
+              solver->description().c_str(),
+              outcome.iterations,
+              analysis,
+              setup,
+              solve,
+              (memory() - memory_before) * 1024. / n));
+  }
+
+
+
+  // of the size of the present one, displacements and pressures apart
+  template <int dim>
+  void
+  randomize(ElasticSystem<dim> &system)
+  {
+    const auto   is_pressure = system.system().is_pressure;
+    auto        &vector      = system.right_hand_side;
+    std::mt19937 generator(1);
+    std::uniform_real_distribution<double> random(-1., 1.);
+    double                                 largest[] = {0., 0.};
+    for (std::size_t i = 0; i < is_pressure.size(); ++i)
+      largest[is_pressure[i]] =
+        std::max(largest[is_pressure[i]], std::abs(vector.begin()[i]));
+    for (double &value : largest)
+      value = dealii::Utilities::MPI::max(value, MPI_COMM_WORLD);
+    for (std::size_t i = 0; i < is_pressure.size(); ++i)
+      vector.begin()[i] = largest[is_pressure[i]] * random(generator);
+    system.constraints.elastic_corrections().set_zero(vector);
+  }
+
+
+
+  template <int dim>
+  void
+  measure(const ElasticSystemOptions &options, const Arguments &arguments)
+  {
+    ElasticSystem<dim> system(options);
+    if (arguments.random)
+      randomize(system);
+    for (const std::string name : {"block AMG", "direct"})
+      if (arguments.solver == name || arguments.solver == "both")
+        measure<dim>(name, system, arguments);
+  }
+
+
+
+  // unknowns of a uniform mesh, about
+  double
+  n_unknowns(const int dim, const bool mixed, const unsigned int refinements)
+  {
+    const double cells = std::pow(2., dim * refinements);
+    if (!mixed)
+      return dim * cells;
+    return cells * (dim * std::pow(2., dim) + 1.);
+  }
+
+
+
+  unsigned int
+  refinements_for(const Arguments &arguments, const double unknowns)
+  {
+    unsigned int result = 1;
+    while (n_unknowns(arguments.dim, arguments.mixed, result + 1) <=
+           1.01 * unknowns)
+      ++result;
+    return result;
+  }
+
+
+
+  ElasticSystemOptions
+  basic(const Arguments &arguments)
+  {
+    ElasticSystemOptions options;
+    options.mixed       = arguments.mixed;
+    options.degree      = arguments.mixed ? 2 : 1;
+    options.lambda      = arguments.mixed ? 1000. : 1.;
+    options.refinements = refinements_for(arguments, arguments.largest);
+    options.kappa       = arguments.worst ? 1e-6 : 1e-4;
+    options.damage      = arguments.worst ? Damage::through : Damage::half;
+    return options;
+  }
+
+
+
+  template <int dim>
+  void
+  study_sizes(const Arguments &arguments, const unsigned int adaptive_levels)
+  {
+    ElasticSystemOptions options = basic(arguments);
+    options.adaptive_levels      = adaptive_levels;
+    // a few levels less, which the adaptive ones make up for
+    const unsigned int less =
+      adaptive_levels == 0 ? 0 : (dim == 2 ? 1 : adaptive_levels);
+    const unsigned int last =
+      options.refinements - std::min(less, options.refinements - 1);
+    unsigned int first = refinements_for(arguments, arguments.smallest);
+    first -= std::min(less, first - 1);
+    for (options.refinements = first; options.refinements <= last;
+         ++options.refinements)
+      measure<dim>(options, arguments);
+  }
+
+
+
+  template <int dim>
+  void
+  study_incompressibility(const Arguments &arguments)
+  {
+    ElasticSystemOptions options = basic(arguments);
+    for (options.lambda = 1.; options.lambda < 2e6; options.lambda *= 10.)
+      measure<dim>(options, arguments);
+  }
+
+
+
+  template <int dim>
+  void
+  study_damage(const Arguments &arguments)
+  {
+    ElasticSystemOptions options = basic(arguments);
+    options.damage               = Damage::none;
+    measure<dim>(options, arguments);
+    for (const Damage damage : {Damage::half, Damage::through})
+      for (const double kappa : {1e-2, 1e-3, 1e-4, 1e-5, 1e-6})
+      {
+        options.damage = damage;
+        options.kappa  = kappa;
+        measure<dim>(options, arguments);
+      }
+  }
+
+
+
+  template <int dim>
+  void
+  study_orderings(const Arguments &arguments)
+  {
+    ElasticSystem<dim>             system(basic(arguments));
+    const std::vector<std::string> names = Mumps::orderings();
+    for (const std::string &name : names)
+    {
+      LinearOutcome          analysis, factorization, solution;
+      auto                   result = system.right_hand_side;
+      std::unique_ptr<Mumps> mumps;
+      const double           seconds_analysis = seconds_of([&]() {
+        mumps = std::make_unique<Mumps>(
+          system.matrix, MatrixSymmetry::symmetric, analysis, name);
+      });
+      const double           seconds_factors =
+        seconds_of([&]() { factorization = mumps->factorize(); });
+      const double seconds_solve = seconds_of(
+        [&]() { solution = mumps->solve(result, system.right_hand_side); });
+      print(
+        printed("| %d | %u | %u | %s | %s | %.3g | %.2f | %.2f | %.2f | %s |",
+                dim,
+                dealii::Utilities::MPI::n_mpi_processes(MPI_COMM_WORLD),
+                system.fields.elastic.n_dofs(),
+                name.c_str(),
+                mumps->ordering().c_str(),
+                mumps->n_entries_of_factors(),
+                seconds_analysis,
+                seconds_factors,
+                seconds_solve,
+                factorization.reason.c_str()));
+    }
+  }
+
+
+
+  template <int dim>
+  void
+  run(const Arguments &arguments)
+  {
+    const std::string row(
+      "| dim | ranks | unknowns | mesh | broken | lambda/mu | kappa | solver "
+      "| iterations | analysis, s | set-up, s | solve, s | kB per unknown |");
+    if (arguments.study == "orderings")
+      print("| dim | ranks | unknowns | ordering | used | entries of factors | "
+            "analysis, s | factorisation, s | solve, s | |\n"
+            "|---|---|---|---|---|---|---|---|---|---|");
+    else
+      print(row + "\n|---|---|---|---|---|---|---|---|---|---|---|---|---|");
+    if (arguments.study == "sizes")
+      study_sizes<dim>(arguments, 0);
+    else if (arguments.study == "adaptive")
+      study_sizes<dim>(arguments, dim == 2 ? 4 : 2);
+    else if (arguments.study == "incompressibility")
+      study_incompressibility<dim>(arguments);
+    else if (arguments.study == "damage")
+      study_damage<dim>(arguments);
+    else if (arguments.study == "orderings")
+      study_orderings<dim>(arguments);
+    else
+      throw InputError("unknown study " + arguments.study);
+  }
+} // namespace
+
+
+
+int
+main(int argc, char **argv)
+{
+  dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
+  try
+  {
+    const Arguments arguments = read(argc, argv);
+    if (arguments.dim == 2)
+      run<2>(arguments);
+    else
+      run<3>(arguments);
+    return 0;
+  }
+  catch (const std::exception &error)
+  {
+    std::cerr << error.what() << std::endl;
+    MPI_Abort(MPI_COMM_WORLD, 1);
+    return 1;
+  }
+}

@@ -1,0 +1,367 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// The iterative solver against the direct one, and its iterations: on meshes
+// with hanging nodes, nearly incompressible, with bands of broken cells.
+#include "elastic_system.h"
+
+#include <core/log.h>
+
+#include <gtest/gtest.h>
+
+#include <solvers/block_amg.h>
+#include <solvers/direct_solver.h>
+
+using namespace MixedCracks;
+using namespace MixedCracks::Testing;
+
+namespace
+{
+  using Vector = LinearAlgebra::Vector;
+
+  constexpr double tolerance = 1e-10;
+
+  template <int dim>
+  Vector
+  exact_solution(ElasticSystem<dim> &system)
+  {
+    DirectSolver solver;
+    Vector       result(system.right_hand_side);
+    EXPECT_TRUE(solver.initialize(system.system()).success);
+    EXPECT_TRUE(solver.factorize().success);
+    EXPECT_TRUE(solver.solve(result, system.right_hand_side).success);
+    system.constraints.elastic_corrections().set_zero(result);
+    return result;
+  }
+
+  // largest difference over the largest value, of displacements or pressures
+  double
+  error(const Vector            &found,
+        const Vector            &expected,
+        const std::vector<bool> &is_pressure,
+        const bool               of_pressure)
+  {
+    std::vector<double> largest(2, 0.);
+    for (std::size_t i = 0; i < is_pressure.size(); ++i)
+      if (is_pressure[i] == of_pressure)
+      {
+        largest[0] = std::max(largest[0],
+                              std::abs(found.begin()[i] - expected.begin()[i]));
+        largest[1] = std::max(largest[1], std::abs(expected.begin()[i]));
+      }
+    dealii::Utilities::MPI::max(largest, MPI_COMM_WORLD, largest);
+    return largest[0] / largest[1];
+  }
+
+  // Solve by both, compare, and return the iterations.
+  template <int dim>
+  unsigned int
+  expect_direct_solution(ElasticSystem<dim> &system,
+                         LinearSolver       &solver,
+                         const double        allowed_error = 1e-6)
+  {
+    const Vector        expected = exact_solution(system);
+    Vector              found(system.right_hand_side);
+    const LinearOutcome outcome =
+      solver.solve(found, system.right_hand_side, tolerance);
+    EXPECT_TRUE(outcome.success) << outcome.reason;
+    system.constraints.elastic_corrections().set_zero(found);
+    const auto is_pressure = system.system().is_pressure;
+    EXPECT_LT(error(found, expected, is_pressure, false), allowed_error);
+    if (system.options.mixed)
+    {
+      EXPECT_LT(error(found, expected, is_pressure, true), allowed_error);
+    }
+    return outcome.iterations;
+  }
+
+  template <int dim>
+  unsigned int
+  expect_direct_solution(const ElasticSystemOptions &options,
+                         const double                allowed_error = 1e-6)
+  {
+    ElasticSystem<dim> system(options);
+    BlockAmgSolver     solver({});
+    EXPECT_TRUE(solver.initialize(system.system()).success);
+    EXPECT_TRUE(solver.factorize().success);
+    return expect_direct_solution(system, solver, allowed_error);
+  }
+
+  ElasticSystemOptions
+  mixed(const unsigned int refinements,
+        const unsigned int adaptive_levels,
+        const double       lambda,
+        const double       kappa,
+        const Damage       damage)
+  {
+    ElasticSystemOptions options;
+    options.refinements     = refinements;
+    options.adaptive_levels = adaptive_levels;
+    options.lambda          = lambda;
+    options.kappa           = kappa;
+    options.damage          = damage;
+    return options;
+  }
+} // namespace
+
+
+
+// the bars are for a relative tolerance of 1e-8: 10 digits may take 10/8 times
+// as many iterations
+TEST(BlockAmg, SolvesTheIntactSystemWhateverTheIncompressibility)
+{
+  for (const double lambda : {1., 1e3, 1e6})
+  {
+    SCOPED_TRACE("lambda/mu = " + std::to_string(lambda));
+    EXPECT_LE(
+      expect_direct_solution<2>(mixed(5, 0, lambda, 1e-6, Damage::none)), 30u);
+  }
+}
+
+
+
+TEST(BlockAmg, SolvesWithABandOfBrokenCells)
+{
+  for (const Damage damage : {Damage::half, Damage::through})
+    for (const double kappa : {1e-2, 1e-6})
+      for (const double lambda : {1., 1e6})
+      {
+        SCOPED_TRACE(printed("kappa = %g, lambda/mu = %g", kappa, lambda));
+        EXPECT_LE(
+          expect_direct_solution<2>(mixed(5, 0, lambda, kappa, damage), 1e-3),
+          45u);
+      }
+}
+
+
+
+TEST(BlockAmg, SolvesOnAMeshWithHangingNodes)
+{
+  for (const double kappa : {1e-2, 1e-6})
+  {
+    SCOPED_TRACE(printed("kappa = %g", kappa));
+    EXPECT_LE(
+      expect_direct_solution<2>(mixed(3, 3, 1e3, kappa, Damage::half), 1e-3),
+      45u);
+  }
+}
+
+
+
+TEST(BlockAmg, SolvesInThreeDimensions)
+{
+  EXPECT_LE(expect_direct_solution<3>(mixed(3, 0, 1e3, 1e-4, Damage::none)),
+            50u);
+  EXPECT_LE(
+    expect_direct_solution<3>(mixed(2, 1, 1e3, 1e-6, Damage::half), 1e-3), 50u);
+}
+
+
+
+TEST(BlockAmg, SolvesWithTensionAndCompressionAndEveryLaw)
+{
+  for (const std::string &law : all_pressure_laws().names())
+  {
+    SCOPED_TRACE(law);
+    ElasticSystemOptions options = mixed(4, 1, 50., 1e-3, Damage::half);
+    options.law                  = law;
+    options.pressure             = [](const double x) { return x - 0.3; };
+    EXPECT_LE(expect_direct_solution<2>(options, 1e-4), 60u);
+  }
+}
+
+
+
+TEST(BlockAmg, SolvesTheDisplacementFormulation)
+{
+  for (const unsigned int degree : {1, 2})
+    for (const double kappa : {1e-2, 1e-6})
+    {
+      SCOPED_TRACE(printed("degree %u, kappa = %g", degree, kappa));
+      ElasticSystemOptions options = mixed(4, 1, 1.5, kappa, Damage::half);
+      options.mixed                = false;
+      options.degree               = degree;
+      EXPECT_LE(expect_direct_solution<2>(options, 1e-3), 40u);
+    }
+  ElasticSystemOptions options = mixed(3, 0, 1.5, 1e-6, Damage::half);
+  options.mixed                = false;
+  options.degree               = 1;
+  EXPECT_LE(expect_direct_solution<3>(options, 1e-3), 40u);
+}
+
+
+
+TEST(BlockAmg, KeepsAHierarchyThatIsStillGoodAndReplacesOneThatIsNot)
+{
+  ElasticSystem<2> system(mixed(5, 0, 1e3, 1e-6, Damage::through));
+  system.assemble(1.); // intact
+  BlockAmgSolver solver({});
+  ASSERT_TRUE(solver.initialize(system.system()).success);
+  ASSERT_TRUE(solver.factorize().success);
+  expect_direct_solution(system, solver);
+  EXPECT_EQ(solver.n_setups(), 1u);
+  // hardly another matrix
+  system.assemble(0.99);
+  ASSERT_TRUE(solver.factorize().success);
+  expect_direct_solution(system, solver);
+  EXPECT_EQ(solver.n_setups(), 1u);
+  // another one
+  system.assemble(0.);
+  ASSERT_TRUE(solver.factorize().success);
+  expect_direct_solution(system, solver, 1e-3);
+  EXPECT_EQ(solver.n_setups(), 2u);
+}
+
+
+
+TEST(BlockAmg, SaysWhenItGivesUp)
+{
+  ElasticSystem<2>    system(mixed(3, 0, 1e3, 1e-2, Damage::none));
+  LinearSolverOptions options;
+  options.max_iterations = 3;
+  BlockAmgSolver solver(options);
+  ASSERT_TRUE(solver.initialize(system.system()).success);
+  ASSERT_TRUE(solver.factorize().success);
+  Vector              found(system.right_hand_side);
+  const LinearOutcome outcome =
+    solver.solve(found, system.right_hand_side, tolerance);
+  EXPECT_FALSE(outcome.success);
+  EXPECT_EQ(outcome.iterations, 3u);
+  EXPECT_NE(outcome.reason.find("3 iterations"), std::string::npos)
+    << outcome.reason;
+}
+
+
+
+TEST(BlockAmg, HasNothingToDoWithoutARightHandSide)
+{
+  ElasticSystem<2> system(mixed(2, 0, 1e3, 1e-2, Damage::none));
+  BlockAmgSolver   solver({});
+  ASSERT_TRUE(solver.initialize(system.system()).success);
+  Vector zero(system.right_hand_side), found(zero);
+  zero                        = 0.;
+  found                       = 17.;
+  const LinearOutcome outcome = solver.solve(found, zero, tolerance);
+  EXPECT_TRUE(outcome.success);
+  EXPECT_EQ(outcome.iterations, 0u);
+  EXPECT_EQ(found.linfty_norm(), 0.);
+}
+
+
+
+namespace
+{
+  template <int dim>
+  void
+  expect_no_energy(const unsigned int degree, const bool mixed_fields)
+  {
+    ElasticSystemOptions options = mixed(2, 1, 3., 1e-2, Damage::half);
+    options.mixed                = mixed_fields;
+    options.degree               = degree;
+    ElasticSystem<dim> system(options);
+    const auto         modes       = rigid_body_modes(system.fields);
+    const auto         is_pressure = system.system().is_pressure;
+    ASSERT_EQ(modes.size(), dim * (dim + 1u) / 2);
+    // without clamps
+    const auto &hanging = system.constraints.elastic_hanging_nodes();
+    for (const auto &mode : modes)
+    {
+      Vector owned     = system.fields.owned_vector(system.fields.elastic_dofs);
+      std::size_t next = 0;
+      for (std::size_t i = 0; i < is_pressure.size(); ++i)
+        if (!is_pressure[i])
+          owned.begin()[i] = mode[next++];
+      EXPECT_EQ(next, mode.size());
+      EXPECT_NEAR(owned.linfty_norm(), 1., 1e-12);
+      Vector elastic = system.fields.ghosted_vector(system.fields.elastic_dofs);
+      elastic        = owned;
+      // hanging nodes move with the others
+      hanging.distribute(owned);
+      Vector difference =
+        system.fields.owned_vector(system.fields.elastic_dofs);
+      difference = elastic;
+      difference.add(-1., owned);
+      EXPECT_LT(difference.linfty_norm(), 1e-12);
+      Vector intact =
+        system.fields.ghosted_vector(system.fields.phase_field_dofs);
+      Vector ones = system.fields.owned_vector(system.fields.phase_field_dofs);
+      ones        = 1.;
+      intact      = ones;
+      system.assembler->elastic_residual(elastic, intact, hanging, owned);
+      EXPECT_LT(owned.linfty_norm(), 1e-12);
+    }
+  }
+} // namespace
+
+
+
+TEST(RigidBodyModes, CostNoEnergy)
+{
+  expect_no_energy<2>(2, true);
+  expect_no_energy<2>(1, false);
+  expect_no_energy<3>(2, true);
+  expect_no_energy<3>(1, false);
+}
+
+
+
+TEST(AuxiliaryMatrices, HaveTheEnergyOfTheElasticOnesForLinearDisplacements)
+{
+  // on an even mesh, intact and free of bulk stiffness, both are exact for
+  // displacements that are linear in space
+  ElasticSystem<2> system(mixed(2, 0, 3., 1e-2, Damage::none));
+  system.auxiliaries.assemble(*system.assembler);
+  const auto is_pressure = system.system().is_pressure;
+  Vector     source = system.fields.owned_vector(system.fields.elastic_dofs);
+  dealii::VectorTools::interpolate(
+    system.fields.mapping,
+    system.fields.elastic,
+    dealii::FunctionFromFunctionObjects<2>(
+      {[](const dealii::Point<2> &p) { return 0.3 * p[0] - p[1]; },
+       [](const dealii::Point<2> &p) { return 2. * p[0] + 0.7 * p[1]; },
+       [](const dealii::Point<2> &) { return 0.; }}),
+    source);
+  // the clamped rows and columns are not those of an operator
+  system.constraints.elastic_corrections().set_zero(source);
+  Vector of_matrix(source), of_auxiliary(source);
+  system.matrix.vmult(of_matrix, source);
+  system.auxiliaries.displacement().vmult(of_auxiliary, source);
+  const double energy = of_matrix * source, auxiliary = of_auxiliary * source;
+  EXPECT_GT(energy, 0.1);
+  // not the same next to the clamps, where the source has kinks
+  EXPECT_NEAR(auxiliary / energy, 1., 0.25);
+}
+
+
+
+TEST(AuxiliaryMatrices, WeighThePressureWithBothCompliances)
+{
+  // the sum of all entries is the integral of 1/(2 mu) + 1/lambda
+  ElasticSystem<2> system(mixed(2, 1, 3., 1e-2, Damage::none));
+  system.auxiliaries.assemble(*system.assembler);
+  const auto is_pressure = system.system().is_pressure;
+  Vector     ones = system.fields.owned_vector(system.fields.elastic_dofs);
+  for (std::size_t i = 0; i < is_pressure.size(); ++i)
+    ones.begin()[i] = is_pressure[i] ? 1. : 0.;
+  system.constraints.elastic_corrections().set_zero(ones);
+  Vector image(ones);
+  system.auxiliaries.pressure().vmult(image, ones);
+  EXPECT_NEAR(image * ones, 0.5 + 1. / 3., 1e-12);
+}
+
+
+
+TEST(LinearSolverChoice, IsThatOfTheUserOrByTheNumberOfUnknowns)
+{
+  for (const std::string &name : all_linear_solvers().names())
+  {
+    const LinearSolverChoice choice = choose_linear_solver(name, 2, 1000000000);
+    EXPECT_EQ(choice.name, name);
+    EXPECT_EQ(choice.reason, "");
+  }
+  for (const int dim : {2, 3})
+  {
+    const LinearSolverChoice small = choose_linear_solver("auto", dim, 1000);
+    EXPECT_EQ(small.name, "direct");
+    EXPECT_NE(small.reason.find("1000 unknowns"), std::string::npos);
+    EXPECT_EQ(choose_linear_solver("auto", dim, 50000000).name, "block AMG");
+  }
+}
