@@ -32,6 +32,11 @@ namespace MixedCracks
                         unsigned int           n_components);
 
   template <int dim>
+  std::vector<PrescribedPoint<dim>>
+  prescribed_points(const Parameters<dim> &parameters,
+                    unsigned int           n_components);
+
+  template <int dim>
   Loads<dim> make_loads(const Parameters<dim> &parameters,
                         unsigned int           n_components);
 

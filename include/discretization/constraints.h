@@ -24,6 +24,15 @@ namespace MixedCracks
     std::shared_ptr<dealii::Function<dim>> value;
   };
 
+  /// One displacement component given at a vertex.
+  template <int dim>
+  struct PrescribedPoint
+  {
+    dealii::Point<dim>                     point; ///< mm
+    unsigned int                           component;
+    std::shared_ptr<dealii::Function<dim>> value; ///< as above
+  };
+
   /// Hanging nodes and prescribed displacements. Newton corrections vanish on
   /// the prescribed dofs; residuals are assembled with the hanging nodes only,
   /// so that their rows there are the nodal reactions.
@@ -32,9 +41,11 @@ namespace MixedCracks
   {
   public:
     Constraints(const Fields<dim>                    &fields,
-                std::vector<PrescribedComponent<dim>> prescribed);
+                std::vector<PrescribedComponent<dim>> prescribed,
+                std::vector<PrescribedPoint<dim>>     points = {});
 
-    /// To be called when the mesh changed.
+    /// To be called when the mesh changed. Throws InputError on all ranks when
+    /// a prescribed point is no vertex of the mesh.
     void reinit();
 
     /// The prescribed values at @p time written into @p elastic (without
@@ -72,11 +83,23 @@ namespace MixedCracks
       return prescribed;
     }
 
+    const std::vector<PrescribedPoint<dim>> &
+    prescribed_points() const
+    {
+      return points;
+    }
+
   private:
     std::vector<bool> mask_of(const PrescribedComponent<dim> &entry) const;
 
-    const Fields<dim>                    &fields;
-    std::vector<PrescribedComponent<dim>> prescribed;
+    /// The dofs of `points` that this rank knows, in their order; an invalid
+    /// number for the others. Collective.
+    std::vector<dealii::types::global_dof_index> find_points() const;
+
+    const Fields<dim>                           &fields;
+    std::vector<PrescribedComponent<dim>>        prescribed;
+    std::vector<PrescribedPoint<dim>>            points;
+    std::vector<dealii::types::global_dof_index> point_dofs;
 
     dealii::AffineConstraints<double> elastic_hanging;
     dealii::AffineConstraints<double> elastic_newton;

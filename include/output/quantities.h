@@ -27,11 +27,13 @@ namespace MixedCracks
     /// boundary (of the axis nearest to it): positive in tension.
     dealii::Tensor<1, dim> force(const LinearAlgebra::Vector &reaction) const;
 
-    /// Mean prescribed displacement magnitude of the boundary that is moved
-    /// most, mm.
+    /// Mean prescribed displacement magnitude of the boundary or point that
+    /// is moved most, mm.
     double displacement(double time) const;
 
   private:
+    double largest_point_displacement(double time) const;
+
     const Fields<dim>               &fields;
     const Constraints<dim>          &constraints;
     const dealii::types::boundary_id boundary;

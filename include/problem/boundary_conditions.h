@@ -49,6 +49,15 @@ namespace MixedCracks
     std::shared_ptr<const Expression> expression;
   };
 
+  /// One entry "point : component : expression".
+  template <int dim>
+  struct PointEntry
+  {
+    dealii::Point<dim>                point; ///< mm
+    unsigned int                      component;
+    std::shared_ptr<const Expression> expression;
+  };
+
   /// Subsection "Boundary conditions".
   template <int dim>
   class BoundaryConditions
@@ -67,6 +76,9 @@ namespace MixedCracks
     /// the phase field have component dim.
     std::vector<BoundaryEntry<dim>> displacements() const;
 
+    /// Entries of "Displacement at points", 'all' spread over the components.
+    std::vector<PointEntry<dim>> point_displacements() const;
+
     /// Nodal loads by boundary, components 0 to dim - 1; MPa.
     std::map<std::string, std::shared_ptr<ExpressionFunction<dim>>>
     tractions(unsigned int n_components) const;
@@ -84,6 +96,7 @@ namespace MixedCracks
 
   private:
     std::string displacement_text;
+    std::string point_displacement_text;
     std::string traction_text;
     std::string body_force_text;
     double      margin = 0.;

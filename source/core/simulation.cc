@@ -31,7 +31,8 @@ namespace MixedCracks
     , constraints(
         fields,
         prescribed_components(parameters,
-                              dim + (parameters.model.mixed() ? 1 : 0)))
+                              dim + (parameters.model.mixed() ? 1 : 0)),
+        prescribed_points(parameters, dim + (parameters.model.mixed() ? 1 : 0)))
     , load_control(parameters.load)
     , boundary_quantities(fields,
                           constraints,

@@ -142,6 +142,24 @@ namespace MixedCracks
 
 
   template <int dim>
+  std::vector<PrescribedPoint<dim>>
+  prescribed_points(const Parameters<dim> &parameters,
+                    const unsigned int     n_components)
+  {
+    std::vector<PrescribedPoint<dim>> result;
+    for (const auto &entry :
+         parameters.boundary_conditions.point_displacements())
+    {
+      auto value = std::make_shared<ExpressionFunction<dim>>(n_components);
+      value->set(entry.component, entry.expression);
+      result.push_back({entry.point, entry.component, value});
+    }
+    return result;
+  }
+
+
+
+  template <int dim>
   Loads<dim>
   make_loads(const Parameters<dim> &parameters, const unsigned int n_components)
   {
@@ -250,6 +268,7 @@ namespace MixedCracks
             piece.corners[v] = cell->face(face)->vertex(v);
           faces.push_back(piece);
         }
+    const auto points = parameters.boundary_conditions.point_displacements();
     for_each_node(fields,
                   [&](const types::global_dof_index dof,
                       const Point<dim>             &position,
@@ -260,6 +279,10 @@ namespace MixedCracks
                         frozen.add_index(dof);
                         return;
                       }
+                    for (const auto &entry : points)
+                      if (position.distance(entry.point) <=
+                          margin + 1e-6 * size)
+                        frozen.add_index(dof);
                   });
     return frozen;
   }
@@ -320,6 +343,8 @@ namespace MixedCracks
   template void   make_mesh(const Parameters<dim> &, Triangulation<dim> &);  \
   template double finest_cell_size(const Triangulation<dim> &, MPI_Comm);    \
   template std::vector<PrescribedComponent<dim>> prescribed_components(      \
+    const Parameters<dim> &, unsigned int);                                  \
+  template std::vector<PrescribedPoint<dim>> prescribed_points(              \
     const Parameters<dim> &, unsigned int);                                  \
   template Loads<dim> make_loads(const Parameters<dim> &, unsigned int);     \
   template std::shared_ptr<FluidAssembler<dim>> make_fluid(                  \

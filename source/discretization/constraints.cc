@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include <core/collective.h>
 #include <core/compat.h>
+#include <core/errors.h>
 
 #include <deal.II/numerics/vector_tools.h>
 
 #include <discretization/constraints.h>
+
+#include <sstream>
 
 namespace MixedCracks
 {
@@ -13,9 +16,11 @@ namespace MixedCracks
   template <int dim>
   Constraints<dim>::Constraints(
     const Fields<dim>                    &fields,
-    std::vector<PrescribedComponent<dim>> prescribed)
+    std::vector<PrescribedComponent<dim>> prescribed,
+    std::vector<PrescribedPoint<dim>>     points)
     : fields(fields)
     , prescribed(std::move(prescribed))
+    , points(std::move(points))
   {}
 
 
@@ -27,6 +32,51 @@ namespace MixedCracks
     std::vector<bool> mask(fields.elastic.get_fe().n_components(), false);
     mask[entry.component] = true;
     return mask;
+  }
+
+
+
+  template <int dim>
+  std::vector<types::global_dof_index>
+  Constraints<dim>::find_points() const
+  {
+    std::vector<types::global_dof_index> dofs(points.size(),
+                                              numbers::invalid_dof_index);
+    const FiniteElement<dim>            &element = fields.elastic.get_fe();
+    std::vector<types::global_dof_index> indices(element.n_dofs_per_cell());
+    for (const auto &cell : fields.elastic.active_cell_iterators())
+      if (!cell->is_artificial())
+        for (std::size_t i = 0; i < points.size(); ++i)
+          for (const unsigned int v : cell->vertex_indices())
+            if (cell->vertex(v).distance(points[i].point) <
+                1e-6 * cell->diameter())
+            {
+              cell->get_dof_indices(indices);
+              // the dofs of the vertices come first
+              for (unsigned int k = 0; k < element.n_dofs_per_vertex(); ++k)
+              {
+                const unsigned int local = v * element.n_dofs_per_vertex() + k;
+                if (element.system_to_component_index(local).first ==
+                      points[i].component &&
+                    !elastic_hanging.is_constrained(indices[local]))
+                  dofs[i] = indices[local];
+              }
+            }
+    std::vector<int> found;
+    for (const types::global_dof_index dof : dofs)
+      found.push_back(dof != numbers::invalid_dof_index ? 1 : 0);
+    Utilities::MPI::max(found, fields.communicator(), found);
+    for (std::size_t i = 0; i < points.size(); ++i)
+      if (found[i] == 0)
+      {
+        std::ostringstream message;
+        message << "Boundary conditions/Displacement at points: found '"
+                << points[i].point
+                << "', where the mesh has no vertex (or a hanging node). "
+                   "Allowed are the vertices of its cells.";
+        throw InputError(message.str());
+      }
+    return dofs;
   }
 
 
@@ -57,6 +107,14 @@ namespace MixedCracks
       prescribed_dofs.add_indices(DoFTools::extract_boundary_dofs(
         fields.elastic, mask, std::set<types::boundary_id>{entry.boundary}));
     }
+    point_dofs = find_points();
+    for (const types::global_dof_index dof : point_dofs)
+      if (dof != numbers::invalid_dof_index)
+      {
+        if (!elastic_newton.is_constrained(dof))
+          elastic_newton.add_line(dof);
+        prescribed_dofs.add_index(dof);
+      }
     prescribed_dofs = prescribed_dofs & fields.elastic_dofs.owned;
 
     elastic_hanging.close();
@@ -85,6 +143,14 @@ namespace MixedCracks
                                                  values,
                                                  mask_of(*entry));
       }
+      for (std::size_t i = 0; i < points.size(); ++i)
+        if (point_dofs[i] != numbers::invalid_dof_index)
+        {
+          points[i].value->set_time(time);
+          values.insert(
+            {point_dofs[i],
+             points[i].value->value(points[i].point, points[i].component)});
+        }
     });
     for (const auto &[dof, value] : values)
       if (fields.elastic_dofs.owned.is_element(dof))

@@ -128,6 +128,28 @@ namespace MixedCracks
     for (std::size_t i = 0; i < sums.size(); i += 2)
       if (sums[i + 1] > 0.)
         largest = std::max(largest, sums[i] / sums[i + 1]);
+    return std::max(largest, largest_point_displacement(time));
+  }
+
+
+
+  template <int dim>
+  double
+  BoundaryQuantities<dim>::largest_point_displacement(const double time) const
+  {
+    double largest = 0.;
+    for (const auto &entry : constraints.prescribed_points())
+    {
+      Tensor<1, dim> value;
+      for (const auto &other : constraints.prescribed_points())
+        if (other.point == entry.point)
+        {
+          other.value->set_time(time);
+          value[other.component] =
+            other.value->value(other.point, other.component);
+        }
+      largest = std::max(largest, value.norm());
+    }
     return largest;
   }
 

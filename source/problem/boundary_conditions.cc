@@ -15,8 +15,10 @@ namespace MixedCracks
   {
     const std::vector<std::string> variables = {"x", "y", "z", "t"};
     const std::string displacement_name = "Boundary conditions/Displacement";
-    const std::string traction_name     = "Boundary conditions/Traction";
-    const std::string body_force_name   = "Boundary conditions/Body force";
+    const std::string points_name =
+      "Boundary conditions/Displacement at points";
+    const std::string traction_name   = "Boundary conditions/Traction";
+    const std::string body_force_name = "Boundary conditions/Body force";
 
     // components a name stands for
     template <int dim>
@@ -102,6 +104,14 @@ namespace MixedCracks
       "components x, y, z, all, phase field, and expressions in x, y, z, t. "
       "Where two boundaries meet, the entry named first decides. Unit: mm "
       "(phase field: 1).");
+    prm.add_parameter(
+      "Displacement at points",
+      point_displacement_text,
+      "Prescribed displacement of single vertices of the mesh, as of the "
+      "supports of a beam: 'point : component : expression ; ...', as in '0, 0 "
+      ": y : 0'. Where a boundary prescribes the same component, the boundary "
+      "decides. The stress under a single node grows without limit as cells "
+      "shrink: keep cracks away from it. Unit: mm.");
     prm.add_parameter("Traction",
                       traction_text,
                       "Forces per area on the boundary, 'boundary : component "
@@ -113,8 +123,9 @@ namespace MixedCracks
     prm.add_parameter(
       "Unbreakable margin",
       margin,
-      "The material within this distance of a boundary with prescribed "
-      "displacement cannot break: clamps, bulges. 0: none. Unit: mm.",
+      "The material within this distance of a boundary or point with "
+      "prescribed displacement cannot break: clamps, bulges, supports. 0: none. "
+      "Unit: mm.",
       Patterns::Double(0.));
     prm.leave_subsection();
   }
@@ -126,6 +137,30 @@ namespace MixedCracks
   BoundaryConditions<dim>::displacements() const
   {
     return read_entries<dim>(displacement_text, true, true, displacement_name);
+  }
+
+
+
+  template <int dim>
+  std::vector<PointEntry<dim>>
+  BoundaryConditions<dim>::point_displacements() const
+  {
+    std::vector<PointEntry<dim>> result;
+    for (const BoundaryEntry<dim> &entry :
+         read_entries<dim>(point_displacement_text, true, false, points_name))
+    {
+      const std::vector<double> numbers =
+        parse_numbers(entry.boundary, points_name);
+      if (numbers.size() != dim)
+        throw InputError(points_name + ": found '" + entry.boundary +
+                         "', allowed is a point of " + std::to_string(dim) +
+                         " numbers, as '" + (dim == 2 ? "0, 1" : "0, 1, 2") +
+                         "'.");
+      PointEntry<dim> at{{}, entry.component, entry.expression};
+      std::copy(numbers.begin(), numbers.end(), at.point.begin_raw());
+      result.push_back(at);
+    }
+    return result;
   }
 
 
@@ -188,6 +223,7 @@ namespace MixedCracks
                        ": no displacement is prescribed anywhere, so the body "
                        "can move freely. Allowed boundaries: " +
                        join_names(names) + ".");
+    point_displacements();
     for (const auto &traction : tractions(dim))
       require_known(traction.first, traction_name);
     body_force(dim);

@@ -330,6 +330,13 @@ CONDITIONS = [
     entry("Boundary conditions/Traction", "right : x : log(y-3)", FINITE, "x = 20"),
     entry("Boundary conditions/Body force", "x : 1 : 2", "component : expression"),
     entry("Boundary conditions/Body force", "y : sqrt(26-y)", FINITE, "y = 2[67]"),
+    entry("Boundary conditions/Displacement at points", "0 : y : 0", "'0'",
+          "point of 2 numbers"),
+    entry("Boundary conditions/Displacement at points", "0, 0 : w : 0", "'w'"),
+    entry("Boundary conditions/Displacement at points", "0.123, 0.1 : y : 0",
+          "'0.123 0.1'", "no vertex", leaves=["results"]),
+    entry("Boundary conditions/Displacement at points", "0, 28 : y : 1/t", FINITE,
+          "y = 28"),
     value("Boundary conditions/Unbreakable margin", "-1", "found '-1'", "at least 0"),
 ]
 
