@@ -41,7 +41,9 @@ namespace MixedCracks
                      parameters.geometry.chosen().boundary_ids(),
                      parameters.output.directory)
     , statistics(communicator)
-    , field_output(fields, parameters.output.directory)
+    , field_output(fields,
+                   parameters.output.directory,
+                   parameters.output.field_format)
     , checkpoint(parameters.output.directory, communicator)
   {}
 
