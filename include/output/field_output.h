@@ -8,6 +8,10 @@
 
 #include <discretization/fields.h>
 
+#include <output/xdmf_output.h>
+
+#include <boost/signals2/connection.hpp>
+
 #include <map>
 #include <set>
 #include <string>
@@ -15,13 +19,17 @@
 
 namespace MixedCracks
 {
-  /// fields.pvd and fields/*.pvtu, for ParaView.
+  /// fields.pvd and fields/*.pvtu, or fields.xdmf and fields/*.h5, or all of
+  /// them, for ParaView.
   template <int dim>
   class FieldOutput
   {
   public:
-    /// @p directory: the output directory, with "fields" in it.
-    FieldOutput(const Fields<dim> &fields, const std::string &directory);
+    /// @p directory: the output directory, with "fields" in it. @p format:
+    /// "VTU", "XDMF" or "both".
+    FieldOutput(const Fields<dim> &fields,
+                const std::string &directory,
+                const std::string &format = "VTU");
 
     /// Write @p state as step @p step unless that step is written already.
     /// @p cell_data: further values per active cell, by name. Throws
@@ -46,10 +54,18 @@ namespace MixedCracks
     }
 
   private:
+    /// Returns the name of the file to be kept in the records.
+    std::string write_vtu(const dealii::DataOut<dim> &data_out,
+                          unsigned int                step) const;
+
     void write_collection() const;
 
     const Fields<dim>                          &fields;
     const std::string                           directory;
+    const bool                                  writes_vtu;
+    const bool                                  writes_xdmf;
+    XdmfOutput<dim>                             xdmf;
+    boost::signals2::scoped_connection          mesh_watch;
     std::set<unsigned int>                      steps;
     std::vector<std::pair<double, std::string>> times_and_names;
   };

@@ -13,6 +13,7 @@ namespace MixedCracks
   {
     std::string directory                  = "results";
     int         fields_every               = 10;
+    std::string field_format               = "VTU";
     int         checkpoint_every           = 10;
     double      wall_time_limit            = 0.;
     double      energy_imbalance_tolerance = 0.02;
@@ -20,7 +21,8 @@ namespace MixedCracks
     /// Enters the subsection itself.
     void add_parameters(dealii::ParameterHandler &prm);
 
-    /// Throws InputError for an empty directory name.
+    /// Throws InputError for an empty directory name, and for a format that
+    /// this deal.II cannot write.
     void check() const;
   };
 } // namespace MixedCracks

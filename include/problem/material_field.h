@@ -50,6 +50,7 @@ namespace MixedCracks
 
     MaterialValues compute(const Variables &variables) const;
 
+    std::string                   of_material_id; // in messages, or empty
     std::vector<Entry>            entries;
     std::optional<MaterialValues> constant;
   };

@@ -77,12 +77,19 @@ def curve_section(results, force):
                    drawing + "<p class=\"note\">%s</p>" % note)
 
 
+def why_no_fields(results):
+    """What stands in place of the pictures."""
+    if os.path.isfile(os.path.join(results.directory, "fields.xdmf")):
+        return "The fields are in fields.xdmf, for ParaView. Pictures on this page " \
+            "need VTU: <code>Output/Field format = VTU</code> or <code>both</code>."
+    return "No fields have been written (fields.pvd names no file that exists)."
+
+
 def field_sections(results, force, remarks):
     """Pictures of the phase field, and of mesh and deformed body."""
     collection = vtu.read_collection(results.directory)
     if not collection:
-        return section("The crack", "<p class=\"note\">No fields have been written "
-                       "(fields.pvd names no file that exists).</p>"
+        return section("The crack", "<p class=\"note\">%s</p>" % why_no_fields(results)
                        + path_part(results, None, remarks))
     times = [time for time, _ in collection]
     figures, drawn = [], []

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 """Contact sheet: the phase field at the end of every run of a sweep."""
 import io
+import os
 import textwrap
 
 import matplotlib
@@ -23,7 +24,8 @@ def fields_at_end(run):
     """The last phase field that was written, or a reason why there is none."""
     collection = vtu.read_collection(run.results.directory)
     if not collection:
-        return None, "no fields"
+        xdmf = os.path.join(run.results.directory, "fields.xdmf")
+        return None, "no VTU" if os.path.isfile(xdmf) else "no fields"
     try:
         fields = vtu.read_fields(collection[-1][1], ("phase_field",))
     except vtu.FieldError as error:

@@ -46,7 +46,9 @@ namespace MixedCracks
                          crack_opening.lines(),
                          communicator)
     , statistics(communicator)
-    , field_output(fields, parameters.output.directory)
+    , field_output(fields,
+                   parameters.output.directory,
+                   parameters.output.field_format)
     , checkpoint(parameters.output.directory, communicator)
   {}
 

@@ -18,6 +18,7 @@ namespace MixedCracks
     const char *const run_files[] = {"log.txt",
                                      "statistics.csv",
                                      "fields.pvd",
+                                     "fields.xdmf",
                                      "fields",
                                      "parameters.prm",
                                      "summary.json",

@@ -7,6 +7,7 @@
 #include <output/field_output.h>
 
 #include <algorithm>
+#include <filesystem>
 #include <fstream>
 
 namespace MixedCracks
@@ -32,15 +33,37 @@ namespace MixedCracks
       }
       data_out.add_data_vector(fields.elastic, solution, names, kinds);
     }
+
+    bool
+    is_vtu(const std::string &name)
+    {
+      return name.find(".pvtu") != std::string::npos;
+    }
+
+    template <int dim>
+    bool
+    has_owned_cells(const Triangulation<dim> &triangulation)
+    {
+      for (const auto &cell : triangulation.active_cell_iterators())
+        if (cell->is_locally_owned())
+          return true;
+      return false;
+    }
   } // namespace
 
 
 
   template <int dim>
   FieldOutput<dim>::FieldOutput(const Fields<dim> &fields,
-                                const std::string &directory)
+                                const std::string &directory,
+                                const std::string &format)
     : fields(fields)
     , directory(directory)
+    , writes_vtu(format != "XDMF")
+    , writes_xdmf(format != "VTU")
+    , xdmf(directory, fields.communicator())
+    , mesh_watch(fields.elastic.get_triangulation().signals.any_change.connect(
+        [this]() { xdmf.mesh_changed(); }))
   {}
 
 
@@ -73,6 +96,24 @@ namespace MixedCracks
     data_out.build_patches(fields.mapping);
 
     std::string name;
+    if (writes_xdmf)
+      name =
+        xdmf.write(data_out, has_owned_cells(triangulation), state.time, step);
+    if (writes_vtu)
+      name = write_vtu(data_out, step);
+    times_and_names.emplace_back(state.time, name);
+    if (writes_vtu)
+      write_collection();
+  }
+
+
+
+  template <int dim>
+  std::string
+  FieldOutput<dim>::write_vtu(const DataOut<dim> &data_out,
+                              const unsigned int  step) const
+  {
+    std::string name;
     int         failures = 0;
     try
     {
@@ -88,8 +129,7 @@ namespace MixedCracks
     if (Utilities::MPI::max(failures, fields.communicator()) > 0)
       throw FileError("Output/Directory: the fields cannot be written in '" +
                       directory + "/fields'; is the disk full?");
-    times_and_names.emplace_back(state.time, "fields/" + name);
-    write_collection();
+    return "fields/" + name;
   }
 
 
@@ -101,10 +141,19 @@ namespace MixedCracks
     if (Utilities::MPI::this_mpi_process(fields.communicator()) != 0)
       return;
     // the peak is written when the force has fallen: keep the list in order
-    auto sorted = times_and_names;
+    std::vector<std::pair<double, std::string>> sorted;
+    for (const auto &record : times_and_names)
+      if (is_vtu(record.second))
+        sorted.push_back(record);
     std::sort(sorted.begin(), sorted.end());
-    std::ofstream file(directory + "/fields.pvd");
-    DataOutBase::write_pvd_record(file, sorted);
+    const std::string path = directory + "/fields.pvd";
+    {
+      std::ofstream file(path + ".part");
+      DataOutBase::write_pvd_record(file, sorted);
+    }
+    // the old list stays until the new one is whole
+    std::error_code error;
+    std::filesystem::rename(path + ".part", path, error);
   }
 
 
@@ -118,7 +167,8 @@ namespace MixedCracks
     // "fields/fields_00012.pvtu": the step is in the name
     for (const auto &record : earlier)
       steps.insert(Utilities::string_to_int(
-        record.second.substr(record.second.size() - 10, 5)));
+        record.second.substr(record.second.rfind('_') + 1, 5)));
+    xdmf.restore(steps);
   }
 
 

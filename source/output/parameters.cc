@@ -4,6 +4,7 @@
 #include <deal.II/base/patterns.h>
 
 #include <output/parameters.h>
+#include <output/xdmf_output.h>
 
 namespace MixedCracks
 {
@@ -26,6 +27,13 @@ namespace MixedCracks
                       "force, at separation and at the end; 0: only then. "
                       "Unit: 1.",
                       Patterns::Integer(0));
+    prm.add_parameter("Field format",
+                      field_format,
+                      "'VTU': fields.pvd, one compressed file for each rank "
+                      "and step; 'XDMF': fields.xdmf, one HDF5 file for each "
+                      "step and one for each mesh, for large runs; 'both'. The "
+                      "scripts that draw pictures read VTU.",
+                      Patterns::Selection("VTU|XDMF|both"));
     prm.add_parameter("Checkpoint every",
                       checkpoint_every,
                       "A checkpoint to continue from with --resume is written "
@@ -56,5 +64,9 @@ namespace MixedCracks
     if (directory.empty())
       throw InputError("Output/Directory: found nothing, allowed is the name "
                        "of a directory.");
+    if (field_format != "VTU" && !has_hdf5())
+      throw InputError("Output/Field format: found '" + field_format +
+                       "', which needs a deal.II that was built with HDF5; "
+                       "this one was not. Allowed: VTU.");
   }
 } // namespace MixedCracks

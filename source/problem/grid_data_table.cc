@@ -43,7 +43,8 @@ namespace MixedCracks
               const int                         dim,
               std::vector<std::vector<double>> &rows)
     {
-      unsigned int line_number = 0;
+      unsigned int line_number  = 0;
+      bool         may_be_names = true; // of the columns
       for (std::size_t begin = 0; begin < text.size();)
       {
         const std::size_t end  = std::min(text.find('\n', begin), text.size());
@@ -54,8 +55,8 @@ namespace MixedCracks
           continue;
         rows.push_back(numbers_of(line));
         const std::size_t n = rows.back().size();
-        if (n == 0 && rows.size() == 1 && line_number == 1)
-          rows.pop_back(); // names of the columns
+        if (n == 0 && may_be_names)
+          rows.pop_back();
         else if (n < 3 || n > static_cast<std::size_t>(dim) + 1 ||
                  n != rows.front().size())
           return "has in line " + std::to_string(line_number) + " " +
@@ -63,6 +64,7 @@ namespace MixedCracks
                  (dim == 3 ? "'x, y, z, value' or 'x, y, value'"
                            : "'x, y, value'") +
                  ", in all lines alike";
+        may_be_names = false;
       }
       return rows.empty() ? "holds no numbers" : "";
     }

@@ -60,6 +60,7 @@ namespace MixedCracks
 
   MaterialConstants::MaterialConstants(const MaterialParameters::Texts &texts,
                                        const std::string               &where)
+    : of_material_id(where == "Material/" ? "" : where)
   {
     bool any_varies = false;
     for (const auto &[name, text] : texts)
@@ -114,7 +115,14 @@ namespace MixedCracks
                   "', expected a number greater than 0 (N/mm).");
       }
     }
-    result.elastic = elastic_constants(given);
+    try
+    {
+      result.elastic = elastic_constants(given);
+    }
+    catch (const InputError &error)
+    {
+      throw InputError(of_material_id + error.what());
+    }
     return result;
   }
 

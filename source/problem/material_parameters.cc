@@ -211,13 +211,12 @@ namespace MixedCracks
     for (const auto &[id, texts] : texts_by_id())
     {
       const std::string where = by_id_name + ": " + std::to_string(id) + ": ";
-      const MaterialConstants constants(texts, where);
       require(n_elastic(texts) == 2,
-              by_id_name + ": " + std::to_string(id) + ": " +
-                std::to_string(n_elastic(texts)) +
+              where + std::to_string(n_elastic(texts)) +
                 " elastic constants, with those of the entries above; exactly "
                 "two are needed, out of " +
                 join_names(elastic_names) + ".");
+      const MaterialConstants constants(texts, where);
       uses_map = uses_map || constants.uses_map();
     }
     require(map.given() || !uses_map,

@@ -90,6 +90,16 @@ def mesh(name, content, *says, **more):
         says=("Geometry/Mesh file/", "bad.msh") + says)
 
 
+MAP = ["Material/Critical energy release rate=17*map",
+       "Material/Map/File name=bad.map"]
+
+
+def material_map(name, content, *says, **more):
+    """A bad picture or table for the material."""
+    return dict(more, name="map: " + name, set=MAP, says=("Material/",) + says,
+                files={} if content is None else {"bad.map": content})
+
+
 TRIANGLES = b"""$MeshFormat
 2.2 0 8
 $EndMeshFormat
@@ -198,6 +208,43 @@ MATERIAL = [
         ("Material/Lame lambda", ""), ("Material/Shear modulus", ""),
         ("Material/Young's modulus", "7"), ("Material/Poisson ratio", "-0.2")],
         "Material/Poisson ratio = -0.2", "larger than 0"),
+    entry("Material/Critical energy release rate", "17*q", "unknown name 'q'",
+          "x, y, z, map"),
+    # at points that one rank owns
+    entry("Material/Critical energy release rate", "if(x > 19, 9 - x, 17)",
+          "found '-1", r"Found at \(19", "greater than 0"),
+    entry("Material/Lame lambda", "10*(19 - x)", "Material/Lame lambda = -",
+          r"Found at \(19"),
+    entry("Material/Lame lambda", "10/(x - x)", FINITE),
+    several("no map", [("Material/Shear modulus", "2.4*map")],
+            "Material/Map/File name", "uses 'map'"),
+    entry("Material/By material id", "3 : Shear modulus = 5", "material id 3",
+          "not in the mesh", "which has 0"),
+    entry("Material/By material id", "0 : Shear modulsu = 5", "'Shear modulsu'",
+          "did you mean 'Shear modulus'"),
+    entry("Material/By material id", "0 : Bulk modulus = 5", "3 elastic constants",
+          "exactly two"),
+    entry("Material/By material id", "0 : Shear modulus = -5",
+          "Shear modulus = -5", "positive"),
+    entry("Material/By material id", "0", "'0'", "id : name = value"),
+    entry("Material/Map/File name", "map.pgm", "map.pgm", "no expression"),
+    value("Material/Map/Interpolation", "cubic", "'cubic'", "nearest", "linear"),
+    material_map("missing", None, "No such file|does not exist", status=4),
+    material_map("empty", b"", "no numbers", status=4),
+    material_map("of another format", b"\x89PNG\r\n\x1a\n", "PGM", status=4),
+    material_map("cut off", b"P5 20 20 255\nabc", "last pixel", status=4),
+    material_map("ragged table", b"0,0,1\n1,0,1,5\n", "line 2", status=4),
+    material_map("table with a hole", b"0,0,1\n1,0,1\n0,1,1\n", "no grid", status=4),
+    material_map("too dark", b"P2 2 1 9 9 0", "found '0'", r"Found at \(1"),
+    dict(material_map("corners of a table", b"0,0,1\n1,0,1\n"), set=MAP + [
+        "Material/Map/Lower corner=0, 0"],
+        says=("Material/Map/Lower corner", "bad.map", "own coordinates")),
+    dict(material_map("inside out", b"P2 2 1 9 9 9"), set=MAP + [
+        "Material/Map/Lower corner=5, 5", "Material/Map/Upper corner=1, 9"],
+        says=("Material/Map/Upper corner", r"\(1, 9\)", r"\(5, 5\)")),
+    dict(material_map("half a corner", b"P2 2 1 9 9 9"), set=MAP + [
+        "Material/Map/Lower corner=5"],
+        says=("Material/Map/Lower corner", "'5'", "two numbers")),
 ]
 
 GEOMETRY = [
@@ -351,6 +398,7 @@ OUTPUT = [
         says=("Boundary conditions/Displacement", FINITE)),
     dict(name="output is a file", set=["Output/Directory=case.prm"],
          status=4, says=("Output/Directory", "'case.prm'", "is a file", "directory")),
+    value("Output/Field format", "HDF", "'HDF'", "VTU", "XDMF", "both"),
     dict(name="output cannot be made", set=["Output/Directory=/proc/results"],
          status=4, says=("Output/Directory", "/proc/results")),
     dict(name="files cannot be written", set=["Output/Directory=/proc/self"],

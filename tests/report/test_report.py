@@ -177,6 +177,13 @@ class Report(unittest.TestCase):
         self.assertIn("No fields have been written", text)
         self.assertIn("peak: 160 N", text)
 
+    def test_fields_in_xdmf(self):
+        synthetic_run.write_statistics(self.directory)
+        synthetic_run.write(self.path("fields.xdmf"), "<Xdmf/>")
+        text = self.page()
+        self.assertIn("Output/Field format = VTU", text)
+        self.assertNotIn("No fields have been written", text)
+
     def test_damaged_fields(self):
         synthetic_run.write_run(self.directory)
         path = self.path(os.path.join("fields", "step_1.1.vtu"))

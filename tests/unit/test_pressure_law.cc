@@ -179,8 +179,8 @@ TEST(PressureLaw, RelaxedBulkFadesWithTheShearStiffness)
   const double g         = 1e-3;
   const auto   stiffness = [g](const double lambda) {
     return all_pressure_laws()
-      .make("relaxed bulk", PressureConstants{lambda, 2.4, 0.7})
-      ->coefficients(constants, g, true)
+      .make("relaxed bulk")
+      ->coefficients({lambda, 2.4, 0.7}, g, true)
       .eliminated_stiffness();
   };
   EXPECT_NEAR(stiffness(1e6) / (0.7 * g * 2.4), 1., 2e-3);

@@ -68,7 +68,12 @@ namespace MixedCracks
         describe_material(parameters.model, parameters.material, 2, cell_size));
       fields.distribute();
       constraints.reinit();
-      assembler    = std::make_unique<Assembler<2>>(fields, *material);
+      assembler = std::make_unique<Assembler<2>>(
+        fields,
+        *material,
+        constants_function(
+          parameters.model,
+          make_material_field(parameters.material, triangulation)));
       elastic_step = std::make_unique<ElasticStep<2>>(
         fields,
         constraints,

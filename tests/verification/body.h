@@ -4,6 +4,7 @@
 #ifndef mixed_cracks_tests_verification_body_h
 #define mixed_cracks_tests_verification_body_h
 
+#include <core/simulation_material.h>
 #include <core/simulation_setup.h>
 
 #include <deal.II/distributed/tria.h>
