@@ -67,7 +67,7 @@ def curve_section(results, force):
                        "<p class=\"note\">No force has been written yet.</p>")
     note = "Every dot is an accepted load step."
     thickness = results.number("Material/Thickness")
-    if thickness is not None:
+    if thickness is not None and not results.is_3d:
         note += " Forces are those of the specimen, %s thick." \
             % words.number(thickness, "mm")
     if force.separation is not None:
@@ -125,6 +125,7 @@ def path_part(results, fields, remarks):
     cracks = crack_path.cracks_at_end(results.directory, remarks)
     if not cracks:
         return "<p class=\"note\">%s</p>" % (
+            "No path is drawn: paths are traced in 2-d only." if results.is_3d else
             "No path is drawn: there is no crack_path.csv." if cracks is None else
             "No path is drawn: crack_path.csv holds no crack.")
     text = ""

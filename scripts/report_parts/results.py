@@ -25,6 +25,10 @@ class Results:
     def n_steps(self):
         return len(next(iter(self.statistics.values()), []))
 
+    @property
+    def is_3d(self):
+        return self.parameter("Geometry/Dimension") == "3"
+
     def column(self, name):
         """A column of the statistics, or None."""
         return self.statistics.get(name) if self.n_steps else None

@@ -85,6 +85,8 @@ def case_in_words(results):
                         ("Length scale", "length scale ℓ = %s"),
                         ("Coupling", "%s coupling")):
         value = results.parameter("Model/" + entry)
+        if entry == "Kinematics" and results.is_3d:
+            value = "3-d"
         if value and not (entry == "Pressure law" and formulation == "displacement"):
             if entry == "Length scale":
                 value = number(value, "mm") if is_number(value) else value

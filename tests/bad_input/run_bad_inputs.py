@@ -7,8 +7,8 @@
 Whatever is wrong, the program has to leave within 20 seconds with the right
 exit status, say so once (on one rank) on the error stream in words that name
 what was found and what is allowed, without traces of the inside, and leave no
-files. The cases are in bad_inputs.py. Prints every offence; exit status 1 when
-there is one.
+files. The cases are in bad_inputs.py and bad_inputs_3d.py. Prints every
+offence; exit status 1 when there is one.
 """
 import concurrent.futures
 import os
@@ -19,7 +19,10 @@ import sys
 import tempfile
 import time
 
-from bad_inputs import BASE, CASES
+from bad_inputs import BASE, CASES as CASES_2D
+from bad_inputs_3d import CASES as CASES_3D
+
+CASES = CASES_2D + CASES_3D
 
 TIME_LIMIT = 20  # s
 MESSAGE = "mixed-cracks: error: "

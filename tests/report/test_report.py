@@ -116,6 +116,23 @@ class Report(unittest.TestCase):
         self.assertIn("there is no crack_path.csv", text)
         self.assertEqual(text.count("data:image/png"), 6)
 
+    def test_three_dimensions(self):
+        synthetic_run.write_run(self.directory)
+        os.remove(self.path("crack_path.csv"))
+        with open(self.path("parameters.prm"), encoding="utf-8") as stream:
+            parameters = stream.read().replace(
+                "subsection Geometry", "subsection Geometry\n  set Dimension = 3")
+        synthetic_run.write(self.path("parameters.prm"), parameters
+                            + "subsection Material\n  set Thickness = 1\nend\n")
+        synthetic_run.write_summary(self.directory, outcome="not traced",
+                                    outcome_start="not traced")
+        text = self.page()
+        self.assertIn("paths are traced in 2-d only", text)
+        self.assertIn("<dt>Crack</dt><dd>Not traced", text)
+        self.assertIn("formulation, 3-d, ", text)
+        self.assertNotIn("formulation, plane stress", text)
+        self.assertNotIn("thick.", text)
+
     def test_crack_path_without_fields(self):
         synthetic_run.write_statistics(self.directory)
         synthetic_run.write_crack_path(self.directory)

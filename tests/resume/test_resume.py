@@ -6,6 +6,7 @@ usage: test_resume.py EXECUTABLE MPIRUN
 """
 
 import csv
+import json
 import os
 import pathlib
 import subprocess
@@ -18,6 +19,9 @@ COARSE = ["Mesh/Refined surroundings=", "Mesh/Adaptive levels=1",
           "Model/Length scale=1.2", "Model/Coupling tolerance=1e-4",
           "Load stepping/End time=4.2", "Load stepping/Largest step=0.6",
           "Output/Checkpoint every=2"]
+CASE_3D = (ROOT / "tests" / "regression" / "strip_3d.prm",
+           ["Mesh/Adaptation=predictor corrector", "Mesh/Adaptive levels=1",
+            "Mesh/Refinement margin=0.1"])
 # what depends on the machine, or on how often factors were at hand, or is a
 # small difference of columns that are compared
 NOT_COMPARED = {"energy_imbalance_mJ",
@@ -25,10 +29,10 @@ NOT_COMPARED = {"energy_imbalance_mJ",
                 "linear_iterations", "coupling_change", "rejected_steps"}
 
 
-def run(ranks, directory, *options, settings=(), status=0):
-    command = sys.argv[2:] + ["-n", str(ranks), sys.argv[1], str(CASE),
+def run(ranks, directory, *options, settings=(), status=0, case=(CASE, COARSE)):
+    command = sys.argv[2:] + ["-n", str(ranks), sys.argv[1], str(case[0]),
                               "--output", str(directory), *options]
-    for setting in (*COARSE, *settings):
+    for setting in (*case[1], *settings):
         command += ["--set", setting]
     result = subprocess.run(command, stdout=subprocess.PIPE,
                             stderr=subprocess.STDOUT, text=True, timeout=120)
@@ -94,6 +98,20 @@ def main():
         out = run(1, whole, "--resume", settings=["Material/Thickness=3"],
                   status=2)
         assert "Material/Thickness" in out, out
+        in_3d(pathlib.Path(temporary) / "whole 3d",
+              pathlib.Path(temporary) / "parts 3d")
+
+
+def in_3d(whole, parts):
+    """The same on an adaptive mesh in 3-d, where there are no crack paths."""
+    run(1, whole, case=CASE_3D)
+    run(1, parts, settings=["Output/Wall time limit=1e-6"], status=5, case=CASE_3D)
+    run(2, parts, "--resume", case=CASE_3D)
+    compare(rows(parts), rows(whole))
+    assert int(rows(whole)[-1]["refinements"]) > 0
+    assert not list(whole.glob("crack_path*"))
+    summary = json.loads((whole / "summary.json").read_text())
+    assert summary["outcome"] == "not traced", summary["outcome"]
 
 
 if __name__ == "__main__":

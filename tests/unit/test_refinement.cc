@@ -98,11 +98,12 @@ TEST(Refinement, SurroundingsOfPointsAndPieces)
 {
   dealii::Triangulation<2> triangulation;
   dealii::GridGenerator::subdivided_hyper_cube(triangulation, 8);
-  const dealii::Point<2>                center(0.5, 0.5);
-  const std::array<dealii::Point<2>, 2> top = {
-    {dealii::Point<2>(0., 1.), dealii::Point<2>(1., 1.)}};
+  const dealii::Point<2> center(0.5, 0.5);
+  const auto             top = FlatPiece<2>::segment({0., 1.}, {1., 1.});
   refine_globally_and_in_regions<2>(
-    triangulation, 0, {{}, {{{{{center, center}}}, 0.15, 2}, {{top}, 0.1, 1}}});
+    triangulation,
+    0,
+    {{}, {{{FlatPiece<2>::point(center)}, 0.15, 2}, {{top}, 0.1, 1}}});
   for (const auto &cell : triangulation.active_cell_iterators())
   {
     const double from_center = cell->center().distance(center);

@@ -24,10 +24,11 @@ namespace MixedCracks
     using namespace dealii;
 
     // 'Subsection/Entry = value' lines into the ParameterHandler
-    Body::ReadParameters::ReadParameters(const std::string &text)
+    template <int dim>
+    BodyIn<dim>::ReadParameters::ReadParameters(const std::string &text)
     {
       ParameterHandler prm;
-      add_parameters(prm);
+      this->add_parameters(prm);
       std::istringstream lines(text);
       for (std::string line; std::getline(lines, line);)
       {
@@ -43,19 +44,23 @@ namespace MixedCracks
         for (std::size_t i = 0; i < path.size(); ++i)
           prm.leave_subsection();
       }
-      check();
+      this->check();
     }
 
 
 
-    Body::Body(const std::string &prm, const Position &shape)
+    template <int dim>
+    BodyIn<dim>::BodyIn(const std::string &prm, const Position &shape)
       : parameters(prm)
       , triangulation(MPI_COMM_WORLD)
       , fields(triangulation,
                {parameters.model.mixed(), parameters.model.degree()})
       , constraints(
           fields,
-          prescribed_components(parameters, parameters.model.mixed() ? 3 : 2))
+          prescribed_components(parameters,
+                                dim + (parameters.model.mixed() ? 1 : 0)),
+          prescribed_points(parameters,
+                            dim + (parameters.model.mixed() ? 1 : 0)))
       , timer(MPI_COMM_WORLD,
               std::cout,
               TimerOutput::never,
@@ -63,18 +68,18 @@ namespace MixedCracks
     {
       make_mesh_of(shape);
       cell_size =
-        GridTools::minimal_cell_diameter(triangulation) / std::sqrt(2.);
-      material = std::make_unique<Material<2>>(
-        describe_material(parameters.model, parameters.material, 2, cell_size));
+        GridTools::minimal_cell_diameter(triangulation) / std::sqrt(1. * dim);
+      material = std::make_unique<Material<dim>>(describe_material(
+        parameters.model, parameters.material, dim, cell_size));
       fields.distribute();
       constraints.reinit();
-      assembler = std::make_unique<Assembler<2>>(
+      assembler = std::make_unique<Assembler<dim>>(
         fields,
         *material,
         constants_function(
           parameters.model,
           make_material_field(parameters.material, triangulation)));
-      elastic_step = std::make_unique<ElasticStep<2>>(
+      elastic_step = std::make_unique<ElasticStep<dim>>(
         fields,
         constraints,
         *assembler,
@@ -86,20 +91,21 @@ namespace MixedCracks
       state.reaction           = state.elastic;
       state.phase_field        = fields.ghosted_vector(fields.phase_field_dofs);
       state.lagged_phase_field = state.phase_field;
-      set_phase_field([](const Point<2> &) { return 1.; });
+      set_phase_field([](const Point<dim> &) { return 1.; });
     }
 
 
 
+    template <int dim>
     void
-    Body::make_mesh_of(const Position &shape)
+    BodyIn<dim>::make_mesh_of(const Position &shape)
     {
       if (!shape)
       {
         make_mesh(parameters, triangulation);
         return;
       }
-      Triangulation<2> coarse;
+      Triangulation<dim> coarse;
       parameters.geometry.chosen().create(coarse);
       GridTools::transform(shape, coarse);
       triangulation.copy_triangulation(coarse);
@@ -108,15 +114,17 @@ namespace MixedCracks
 
 
 
+    template <int dim>
     void
-    Body::set_phase_field(const Scalar &phase_field)
+    BodyIn<dim>::set_phase_field(const Scalar &phase_field)
     {
       LinearAlgebra::Vector values =
         fields.owned_vector(fields.phase_field_dofs);
-      VectorTools::interpolate(fields.mapping,
-                               fields.phase_field,
-                               ScalarFunctionFromFunctionObject<2>(phase_field),
-                               values);
+      VectorTools::interpolate(
+        fields.mapping,
+        fields.phase_field,
+        ScalarFunctionFromFunctionObject<dim>(phase_field),
+        values);
       constraints.phase_field_hanging_nodes().distribute(values);
       state.lagged_phase_field = values;
       state.phase_field        = values;
@@ -124,8 +132,9 @@ namespace MixedCracks
 
 
 
+    template <int dim>
     NewtonOutcome
-    Body::solve(const double time)
+    BodyIn<dim>::solve(const double time)
     {
       state.time                  = time;
       LinearAlgebra::Vector start = fields.owned_vector(fields.elastic_dofs);
@@ -140,18 +149,20 @@ namespace MixedCracks
 
 
 
+    template <int dim>
     types::boundary_id
-    Body::boundary_id(const std::string &boundary) const
+    BodyIn<dim>::boundary_id(const std::string &boundary) const
     {
       return parameters.geometry.chosen().boundary_ids().at(boundary);
     }
 
 
 
-    Tensor<1, 2>
-    Body::reaction(const std::string &boundary) const
+    template <int dim>
+    Tensor<1, dim>
+    BodyIn<dim>::reaction(const std::string &boundary) const
     {
-      BoundaryQuantities<2> quantities(
+      BoundaryQuantities<dim> quantities(
         fields, constraints, boundary_id(boundary));
       quantities.reinit();
       return quantities.force(state.reaction);
@@ -159,19 +170,22 @@ namespace MixedCracks
 
 
 
-    Tensor<1, 2>
-    Body::integrated_traction(const std::string &boundary) const
+    template <int dim>
+    Tensor<1, dim>
+    BodyIn<dim>::integrated_traction(const std::string &boundary) const
     {
-      const FEValuesExtractors::Vector   displacement(0);
-      FEFaceValues<2>                    face_values(fields.mapping,
-                                  fields.elastic.get_fe(),
-                                  QGauss<1>(4),
-                                  update_values | update_gradients |
-                                    update_JxW_values | update_normal_vectors);
-      std::vector<SymmetricTensor<2, 2>> strains(4);
-      std::vector<double>                pressures(4);
-      Tensor<1, 2>                       sum;
-      double                             sign = 1.;
+      const FEValuesExtractors::Vector displacement(0);
+      FEFaceValues<dim>                face_values(fields.mapping,
+                                    fields.elastic.get_fe(),
+                                    QGauss<dim - 1>(4),
+                                    update_values | update_gradients |
+                                      update_JxW_values |
+                                      update_normal_vectors);
+      const unsigned int n_points = face_values.n_quadrature_points;
+      std::vector<SymmetricTensor<2, dim>> strains(n_points);
+      std::vector<double>                  pressures(n_points);
+      Tensor<1, dim>                       sum;
+      double                               sign = 1.;
       for (const auto &cell : fields.elastic.active_cell_iterators())
         if (cell->is_locally_owned())
           for (const unsigned int face : cell->face_indices())
@@ -185,14 +199,17 @@ namespace MixedCracks
             if (fields.layout.mixed)
               face_values[fields.pressure].get_function_values(state.elastic,
                                                                pressures);
-            for (unsigned int q = 0; q < 4; ++q)
+            for (unsigned int q = 0; q < n_points; ++q)
             {
               const auto stress =
                 fields.layout.mixed
                   ? material->mixed(strains[q], pressures[q], 1.).stress
                   : material->eliminated(strains[q], 1.).stress;
-              const Tensor<1, 2> normal = face_values.normal_vector(q);
-              sign                      = normal[0] + normal[1] < 0. ? -1. : 1.;
+              const Tensor<1, dim> normal = face_values.normal_vector(q);
+              double               total  = 0.;
+              for (unsigned int d = 0; d < dim; ++d)
+                total += normal[d];
+              sign = total < 0. ? -1. : 1.;
               sum += sign * (stress * normal) * face_values.JxW(q);
             }
           }
@@ -201,20 +218,21 @@ namespace MixedCracks
 
 
 
-    Tensor<1, 2>
-    Body::displacement_at(const Point<2> &vertex) const
+    template <int dim>
+    Tensor<1, dim>
+    BodyIn<dim>::displacement_at(const Point<dim> &vertex) const
     {
       // the largest on all ranks: those without the vertex know nothing
-      const double nothing = std::numeric_limits<double>::lowest();
-      double       found[] = {nothing, nothing};
+      const double        nothing = std::numeric_limits<double>::lowest();
+      std::vector<double> found(dim, nothing);
       for (const auto &cell : fields.elastic.active_cell_iterators())
         if (cell->is_locally_owned())
           for (const unsigned int v : cell->vertex_indices())
             if (cell->vertex(v).distance(vertex) < 1e-6 * cell->diameter())
-              for (unsigned int d = 0; d < 2; ++d)
+              for (unsigned int d = 0; d < dim; ++d)
                 found[d] = state.elastic(cell->vertex_dof_index(v, d));
-      Tensor<1, 2> result;
-      for (unsigned int d = 0; d < 2; ++d)
+      Tensor<1, dim> result;
+      for (unsigned int d = 0; d < dim; ++d)
         result[d] = Utilities::MPI::max(found[d], MPI_COMM_WORLD);
       EXPECT_GT(result[0], nothing) << "no vertex at " << vertex;
       return result;
@@ -222,12 +240,13 @@ namespace MixedCracks
 
 
 
+    template <int dim>
     double
-    Body::error(const Function<2> &exact,
-                const unsigned int first,
-                const unsigned int n) const
+    BodyIn<dim>::error(const Function<dim> &exact,
+                       const unsigned int   first,
+                       const unsigned int   n) const
     {
-      const ComponentSelectFunction<2> weight(
+      const ComponentSelectFunction<dim> weight(
         {first, first + n}, fields.elastic.get_fe().n_components());
       dealii::Vector<float> cellwise(triangulation.n_active_cells());
       VectorTools::integrate_difference(fields.mapping,
@@ -235,7 +254,7 @@ namespace MixedCracks
                                         state.elastic,
                                         exact,
                                         cellwise,
-                                        QGauss<2>(5),
+                                        QGauss<dim>(5),
                                         VectorTools::L2_norm,
                                         &weight);
       return VectorTools::compute_global_error(
@@ -244,8 +263,9 @@ namespace MixedCracks
 
 
 
+    template <int dim>
     std::pair<double, double>
-    Body::pressure_range() const
+    BodyIn<dim>::pressure_range() const
     {
       double smallest = std::numeric_limits<double>::max();
       double largest  = -smallest;
@@ -253,12 +273,17 @@ namespace MixedCracks
         if (cell->is_locally_owned())
           for (const unsigned int v : cell->vertex_indices())
           {
-            const double p = state.elastic(cell->vertex_dof_index(v, 2));
+            const double p = state.elastic(cell->vertex_dof_index(v, dim));
             smallest       = std::min(smallest, p);
             largest        = std::max(largest, p);
           }
       return {Utilities::MPI::min(smallest, MPI_COMM_WORLD),
               Utilities::MPI::max(largest, MPI_COMM_WORLD)};
     }
+
+
+
+    template class BodyIn<2>;
+    template class BodyIn<3>;
   } // namespace Testing
 } // namespace MixedCracks

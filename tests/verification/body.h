@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // An elastic body described by the text of a .prm, solved by the same objects
 // as in the program, without phase-field steps and output.
+// Body: in 2-d; BodyIn<3>: in 3-d.
 #ifndef mixed_cracks_tests_verification_body_h
 #define mixed_cracks_tests_verification_body_h
 
@@ -16,16 +17,17 @@ namespace MixedCracks
 {
   namespace Testing
   {
-    class Body
+    template <int dim>
+    class BodyIn
     {
     public:
       using Position =
-        std::function<dealii::Point<2>(const dealii::Point<2> &)>;
-      using Scalar = std::function<double(const dealii::Point<2> &)>;
+        std::function<dealii::Point<dim>(const dealii::Point<dim> &)>;
+      using Scalar = std::function<double(const dealii::Point<dim> &)>;
 
       /// @p prm: entries as 'Subsection/Entry = value', one per line.
       /// @p shape: where the points of the coarse mesh are moved to.
-      explicit Body(const std::string &prm, const Position &shape = {});
+      explicit BodyIn(const std::string &prm, const Position &shape = {});
 
       /// The phase field the stiffness is degraded with; 1 at first.
       void set_phase_field(const Scalar &phase_field);
@@ -34,24 +36,24 @@ namespace MixedCracks
       /// Newton's method does not converge.
       NewtonOutcome solve(double time = 1.);
 
-      /// Consistent reaction on a boundary, N per mm thickness, positive in
-      /// tension.
-      dealii::Tensor<1, 2> reaction(const std::string &boundary) const;
+      /// Consistent reaction on a boundary, N (2-d: per mm thickness), positive
+      /// in tension.
+      dealii::Tensor<1, dim> reaction(const std::string &boundary) const;
 
       /// The same by integrating stress times normal over the boundary; for
       /// intact bodies.
-      dealii::Tensor<1, 2>
+      dealii::Tensor<1, dim>
       integrated_traction(const std::string &boundary) const;
 
       /// Displacement at a vertex of the mesh, mm.
-      dealii::Tensor<1, 2>
-      displacement_at(const dealii::Point<2> &vertex) const;
+      dealii::Tensor<1, dim>
+      displacement_at(const dealii::Point<dim> &vertex) const;
 
       /// L2 norm of the difference to @p exact on the components from
       /// @p first on, @p n of them.
-      double error(const dealii::Function<2> &exact,
-                   unsigned int               first,
-                   unsigned int               n) const;
+      double error(const dealii::Function<dim> &exact,
+                   unsigned int                 first,
+                   unsigned int                 n) const;
 
       /// Largest and smallest pressure at the nodes, MPa.
       std::pair<double, double> pressure_range() const;
@@ -59,7 +61,7 @@ namespace MixedCracks
       dealii::types::boundary_id boundary_id(const std::string &boundary) const;
 
     private:
-      struct ReadParameters : Parameters<2>
+      struct ReadParameters : Parameters<dim>
       {
         explicit ReadParameters(const std::string &prm);
       };
@@ -67,19 +69,21 @@ namespace MixedCracks
       void make_mesh_of(const Position &shape);
 
     public:
-      const ReadParameters                            parameters;
-      dealii::parallel::distributed::Triangulation<2> triangulation;
-      Fields<2>                                       fields;
-      Constraints<2>                                  constraints;
-      std::unique_ptr<Material<2>>                    material;
-      double                                          cell_size = 0.; // mm
-      State                                           state;
+      const ReadParameters                              parameters;
+      dealii::parallel::distributed::Triangulation<dim> triangulation;
+      Fields<dim>                                       fields;
+      Constraints<dim>                                  constraints;
+      std::unique_ptr<Material<dim>>                    material;
+      double                                            cell_size = 0.; // mm
+      State                                             state;
 
     private:
-      dealii::TimerOutput             timer;
-      std::unique_ptr<Assembler<2>>   assembler;
-      std::unique_ptr<ElasticStep<2>> elastic_step;
+      dealii::TimerOutput               timer;
+      std::unique_ptr<Assembler<dim>>   assembler;
+      std::unique_ptr<ElasticStep<dim>> elastic_step;
     };
+
+    using Body = BodyIn<2>;
   } // namespace Testing
 } // namespace MixedCracks
 

@@ -1,0 +1,57 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""Bad inputs about the dimension and in 3-d, as in bad_inputs.py."""
+from bad_inputs import entry, several, value
+
+IN_3D = ("Geometry/Dimension", "3")
+HELD = {"Boundary conditions/Displacement": "top : all : 0 ; bottom : all : t"}
+
+
+def box(name, pairs, *says, **more):
+    """Values of a box in 3-d that do not go together."""
+    settings = list(dict(HELD, **dict(pairs)).items())
+    return several("in 3-d: " + name,
+                   [IN_3D, ("Geometry/Name", "box")] + settings, *says, **more)
+
+
+CASES = [
+    value("Geometry/Dimension", "4", "'4'", "2", "3"),
+    value("Geometry/Dimension", "", "no value"),
+    entry("Geometry/Name", "box", "'box'", "in 3-d only", "Geometry/Dimension = 2",
+          "slit square, rectangle"),
+    entry("Geometry/Name", "slit cube", "'slit cube'", "in 3-d only"),
+    several("rectangle in 3-d", [IN_3D, ("Geometry/Name", "rectangle")],
+            "Geometry/Name", "'rectangle'", "in 2-d only", "slit cube, box"),
+    several("mesh file in 3-d", [IN_3D, ("Geometry/Name", "mesh file")],
+            "Geometry/Name", "'mesh file'", "in 2-d only"),
+    several("a strip of many cells", [
+        IN_3D, ("Geometry/Punctured strip/Thickness cells", "1000000")],
+        "Punctured strip/Thickness cells", "1000000", "at most"),
+    value("Geometry/Punctured strip/Thickness cells", "0", "found '0'"),
+    box("two coordinates", [("Geometry/Box/Upper corner", "1, 1")],
+        "Geometry/Box/Upper corner", "'1, 1'"),
+    box("inside out", [("Geometry/Box/Upper corner", "1, 1, -1")],
+        "Geometry/Box/Upper corner", r"\(1, 1, -1\)"),
+    box("two numbers of cells", [("Geometry/Box/Cells", "2, 2")],
+        "Geometry/Box/Cells", "'2, 2'", "3 numbers"),
+    box("half a cell", [("Geometry/Box/Cells", "2, 2, 0.5")],
+        "Geometry/Box/Cells", "0.5", "integers"),
+    box("words for cells", [("Geometry/Box/Cells", "2, 2, two")],
+        "Geometry/Box/Cells", "two"),
+    box("a flat refined box", [("Mesh/Refined boxes", "0,0 : 1,1 : 1")],
+        "Mesh/Refined boxes", "needs 3 numbers"),
+    box("a refined box outside", [("Mesh/Refined boxes", "0,0,2 : 1,1,3 : 1")],
+        "Mesh/Refined boxes", "outside the domain", r"\(1, 1, 1\)"),
+    box("no boundary of that name", [
+        ("Boundary conditions/Displacement", "hind : all : 0")],
+        "'hind'", "back, bottom, front, left, right, top"),
+    box("no component of that name", [
+        ("Boundary conditions/Displacement", "top : w : 0")],
+        "'w'", "x, y, z"),
+    box("crack paths", [("Load stepping/Stop when separated", "true")],
+        "Load stepping/Stop when separated", "2-d only",
+        "Stop when force falls below"),
+    # at one node, which one rank owns
+    box("an expression that fails", [
+        ("Boundary conditions/Displacement", "top : all : 0 ; bottom : z : 1/(z-1)")],
+        "must be finite", "z = 1"),
+]
