@@ -93,22 +93,6 @@ namespace MixedCracks
 
 
   template <int dim>
-  void
-  Simulation<dim>::record_opening(const State &state, StatisticsRow &row)
-  {
-    if (parameters.crack_opening.crack_volume)
-      row.crack_volume = parameters.material.thickness *
-                         crack_volume(fields, state.elastic, state.phase_field);
-    if (!crack_opening.lines().empty())
-      crack_opening_file.add(
-        row.step,
-        row.time,
-        crack_opening.evaluate(state.elastic, state.phase_field));
-  }
-
-
-
-  template <int dim>
   double
   Simulation<dim>::smallest_phase_field(const State &state) const
   {
@@ -226,8 +210,6 @@ namespace MixedCracks
   template void Simulation<dim>::prepare_output(ExistingRun);                 \
   template void Simulation<dim>::record(                                      \
     const State &, const State &, const StepOutcome &);                       \
-  template void   Simulation<dim>::record_opening(const State &,              \
-                                                StatisticsRow &);           \
   template double Simulation<dim>::smallest_phase_field(const State &) const; \
   template void   Simulation<dim>::write_fields_when_due(const State &);      \
   template void   Simulation<dim>::write_fields(const State &, unsigned int); \

@@ -204,6 +204,28 @@ namespace MixedCracks
                 dof, cell->vertex(v), cell->diameter() / std::sqrt(1. * dim));
           }
     }
+
+
+
+    // where cells of different sizes meet, the smallest value
+    template <int dim>
+    void
+    set_initial_cracks(const InitialCracks<dim> &cracks,
+                       const Fields<dim>        &fields,
+                       LinearAlgebra::Vector    &values)
+    {
+      const InitialPhaseField<dim> phase_field(cracks);
+      values = 1.;
+      together(fields.communicator(), [&]() {
+        for_each_node(fields,
+                      [&](const types::global_dof_index dof,
+                          const Point<dim>             &position,
+                          const double                  size) {
+                        values(dof) = std::min<double>(
+                          values(dof), phase_field.value(position, size));
+                      });
+      });
+    }
   } // namespace
 
 
@@ -217,22 +239,17 @@ namespace MixedCracks
     std::vector<FlatPiece<dim>> slits;
     if (parameters.initial_cracks.broken_slits)
       slits = parameters.geometry.chosen().slits();
-    const InitialPhaseField<dim> cracks(parameters.initial_cracks);
     LinearAlgebra::Vector values = fields.owned_vector(fields.phase_field_dofs);
-    values                       = 1.;
-    together(fields.communicator(), [&]() {
-      for_each_node(fields,
-                    [&](const types::global_dof_index dof,
-                        const Point<dim>             &position,
-                        const double                  size) {
-                      values(dof) = std::min(static_cast<double>(values(dof)),
-                                             cracks.value(position, size));
-                      // slits are mesh lines; cracks need not be
-                      for (const FlatPiece<dim> &slit : slits)
-                        if (distance(position, slit) <= 1e-6 * size)
-                          values(dof) = 0.;
-                    });
-    });
+    set_initial_cracks(parameters.initial_cracks, fields, values);
+    for_each_node(fields,
+                  [&](const types::global_dof_index dof,
+                      const Point<dim>             &position,
+                      const double                  size) {
+                    // slits are mesh lines; cracks need not be
+                    for (const FlatPiece<dim> &slit : slits)
+                      if (distance(position, slit) <= 1e-6 * size)
+                        values(dof) = 0.;
+                  });
     values.compress(VectorOperation::insert);
     constraints.phase_field_hanging_nodes().distribute(values);
     return values;

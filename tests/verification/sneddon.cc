@@ -47,12 +47,26 @@ namespace
           (Files::temp_directory_path() /
            ("mixed_cracks_sneddon_" + std::to_string(getpid())))
             .string()))
-    {}
+    {
+      if (dealii::Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0)
+        std::ofstream(case_file())
+          << "subsection Output\n  set Directory = " << path << "\nend\n";
+      MPI_Barrier(MPI_COMM_WORLD);
+    }
+
+    std::string
+    case_file() const
+    {
+      return path + ".prm";
+    }
 
     ~Directory()
     {
       if (dealii::Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0)
+      {
         Files::remove_all(path);
+        Files::remove(case_file());
+      }
     }
 
     const std::string path;
@@ -122,12 +136,11 @@ namespace
   solve(const bool mixed, const unsigned int n_levels)
   {
     const Directory          directory;
-    std::vector<std::string> overrides = entries(mixed, n_levels);
-    overrides.push_back("Output/Directory=" + directory.path);
     Parameters<2>            parameters;
     dealii::ParameterHandler prm;
     parameters.add_parameters(prm);
-    read_parameters("/dev/null", overrides, prm, MPI_COMM_WORLD);
+    read_parameters(
+      directory.case_file(), entries(mixed, n_levels), prm, MPI_COMM_WORLD);
     parameters.check();
     Log           log(/*active=*/false);
     Simulation<2> simulation(

@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include <core/simulation.h>
+
+namespace MixedCracks
+{
+  template <int dim>
+  void
+  Simulation<dim>::record_opening(const State &state, StatisticsRow &row)
+  {
+    const double thickness = dim == 2 ? parameters.material.thickness : 1.;
+    if (parameters.crack_opening.crack_volume)
+      row.crack_volume =
+        thickness * crack_volume(fields, state.elastic, state.phase_field);
+    if (!crack_opening.lines().empty())
+      crack_opening_file.add(
+        row.step,
+        row.time,
+        crack_opening.evaluate(state.elastic, state.phase_field));
+  }
+
+
+
+  template void Simulation<2>::record_opening(const State &, StatisticsRow &);
+  template void Simulation<3>::record_opening(const State &, StatisticsRow &);
+} // namespace MixedCracks
