@@ -23,6 +23,10 @@ namespace MixedCracks
     constexpr unsigned int restart = 100;
     // a few iterations say nothing about a hierarchy
     constexpr unsigned int always_tolerated = 4;
+    // of the Jacobi sweep, over the largest eigenvalue: 2 would be unstable,
+    // and few iterations find an eigenvalue that is a little too small
+    constexpr double       jacobi_damping     = 1.4;
+    constexpr unsigned int n_power_iterations = 10;
   } // namespace
 
 
@@ -78,15 +82,13 @@ namespace MixedCracks
                            : r[i] / scale[i] - rest.begin()[i]);
       solution.resize(part.size());
       solver.multigrid->vmult(solution.data(), part.data());
-      double     *values = result.begin();
-      std::size_t next   = 0;
-      for (std::size_t i = 0; i < n; ++i)
+      put_together(r, result);
+      if (solver.smoothing.size() > 0)
       {
-        values[i] =
-          solver.is_displacement[i] ? solution[next++] : pressure.begin()[i];
-        if (solver.system.is_constrained[i])
-          // stands alone in its row
-          values[i] = r[i] / scale[i] / solver.matrix_diagonal;
+        solver.system.matrix->vmult(rest, result);
+        rest.sadd(-1., 1., source);
+        rest.scale(solver.smoothing);
+        result.add(1., rest);
       }
     }
 
@@ -114,6 +116,23 @@ namespace MixedCracks
           pressure.begin()[i] = 0.;
     }
 
+    // solution and pressure into one vector
+    void
+    put_together(const double *r, Vector &result) const
+    {
+      const double *scale  = solver.row_scale.begin();
+      double       *values = result.begin();
+      std::size_t   next   = 0;
+      for (std::size_t i = 0; i < n; ++i)
+      {
+        values[i] =
+          solver.is_displacement[i] ? solution[next++] : pressure.begin()[i];
+        if (solver.system.is_constrained[i])
+          // stands alone in its row
+          values[i] = r[i] / scale[i] / solver.matrix_diagonal;
+      }
+    }
+
     const BlockAmgSolver       &solver;
     const std::size_t           n;
     mutable Vector              pressure, rest;
@@ -138,6 +157,7 @@ namespace MixedCracks
     system = new_system;
     multigrid.reset();
     mass_solver.reset();
+    smoothing.clear();
     GrowingVectorMemory<Vector>::release_unused_memory();
     is_displacement = system.is_pressure;
     is_displacement.flip();
@@ -157,6 +177,8 @@ namespace MixedCracks
   BlockAmgSolver::factorize()
   {
     is_old = true;
+    if (smoothing.size() > 0)
+      set_smoothing();
     return {};
   }
 
@@ -188,6 +210,44 @@ namespace MixedCracks
 
 
 
+  double
+  BlockAmgSolver::largest_eigenvalue(const Vector &inverse_diagonal)
+  {
+    // power iteration, from a start without symmetry
+    Vector direction(inverse_diagonal), image(inverse_diagonal);
+    for (std::size_t i = 0; i < is_displacement.size(); ++i)
+      direction.begin()[i] =
+        is_displacement[i] && !system.is_constrained[i] ? std::sin(1. + i) : 0.;
+    double eigenvalue = 1.;
+    for (unsigned int k = 0; k < n_power_iterations; ++k)
+    {
+      direction /= direction.l2_norm();
+      system.matrix->vmult(image, direction);
+      image.scale(inverse_diagonal);
+      eigenvalue = image.l2_norm();
+      direction  = image;
+    }
+    return eigenvalue;
+  }
+
+
+
+  void
+  BlockAmgSolver::set_smoothing()
+  {
+    smoothing.reinit(row_scale, true);
+    Epetra_Vector diagonal(system.matrix->trilinos_matrix().RowMap());
+    system.matrix->trilinos_matrix().ExtractDiagonalCopy(diagonal);
+    for (std::size_t i = 0; i < is_displacement.size(); ++i)
+      smoothing.begin()[i] =
+        is_displacement[i] && !system.is_constrained[i] ? 1. / diagonal[i] : 0.;
+    if (smoothing_damping == 0.)
+      smoothing_damping = jacobi_damping / largest_eigenvalue(smoothing);
+    smoothing *= smoothing_damping;
+  }
+
+
+
   void
   BlockAmgSolver::set_up()
   {
@@ -203,6 +263,11 @@ namespace MixedCracks
       std::make_unique<Multigrid>(extract_block(elastic, is_displacement),
                                   system.n_components,
                                   system.rigid_body_modes());
+    if (auxiliary.displacement != nullptr)
+    {
+      smoothing_damping = 0.;
+      set_smoothing();
+    }
     matrix_diagonal = mean_diagonal(
       system.matrix->trilinos_matrix(), is_displacement, false, communicator);
     row_scale = 1.;
@@ -228,27 +293,30 @@ namespace MixedCracks
 
 
   LinearOutcome
-  BlockAmgSolver::iterate(const double       tolerance,
+  BlockAmgSolver::iterate(const double       relative_tolerance,
                           const unsigned int max_iterations,
                           Vector            &solution,
-                          const Vector      &scaled_right_hand_side)
+                          const Vector      &right_hand_side)
   {
+    Vector scaled(right_hand_side);
+    scaled.scale(row_scale);
+    const double         tolerance = relative_tolerance * scaled.l2_norm();
     LinearOutcome        outcome;
     SolverControl        control(max_iterations, tolerance, false, false);
     const ScaledMatrix   matrix(*this);
     const Preconditioner preconditioner(*this);
     try
     {
-      if (has_pressure || system.symmetry != MatrixSymmetry::symmetric)
+      if (!uses_conjugate_gradients())
       {
         SolverFGMRES<Vector> solver(
           control, typename SolverFGMRES<Vector>::AdditionalData(restart));
-        solver.solve(matrix, solution, scaled_right_hand_side, preconditioner);
+        solver.solve(matrix, solution, scaled, preconditioner);
       }
       else
       {
         SolverCG<Vector> solver(control);
-        solver.solve(matrix, solution, scaled_right_hand_side, preconditioner);
+        solver.solve(matrix, solution, scaled, preconditioner);
       }
     }
     catch (const SolverControl::NoConvergence &)
@@ -282,34 +350,6 @@ namespace MixedCracks
 
 
   LinearOutcome
-  BlockAmgSolver::solve_scaled(Vector       &solution,
-                               const Vector &scaled_right_hand_side,
-                               const double  relative_tolerance)
-  {
-    const double size      = scaled_right_hand_side.l2_norm();
-    const double tolerance = relative_tolerance * size;
-    unsigned int earlier   = 0;
-    if (is_old && options.tolerated_growth > 0.)
-    {
-      const LinearOutcome outcome = iterate(tolerance,
-                                            patience(relative_tolerance),
-                                            solution,
-                                            scaled_right_hand_side);
-      if (outcome.success)
-        return outcome;
-      earlier = outcome.iterations;
-    }
-    if (is_old)
-      set_up();
-    LinearOutcome outcome = iterate(
-      tolerance, options.max_iterations, solution, scaled_right_hand_side);
-    outcome.iterations += earlier;
-    return outcome;
-  }
-
-
-
-  LinearOutcome
   BlockAmgSolver::solve(Vector       &solution,
                         const Vector &right_hand_side,
                         const double  relative_tolerance)
@@ -317,11 +357,33 @@ namespace MixedCracks
     solution = 0.;
     if (right_hand_side.l2_norm() == 0.)
       return {};
-    if (!multigrid)
+    unsigned int earlier = 0;
+    if (multigrid && is_old && options.tolerated_growth > 0.)
+    {
+      const LinearOutcome outcome = iterate(relative_tolerance,
+                                            patience(relative_tolerance),
+                                            solution,
+                                            right_hand_side);
+      if (outcome.success)
+        return outcome;
+      earlier = outcome.iterations;
+    }
+    if (!multigrid || is_old)
       set_up();
-    Vector scaled(right_hand_side);
-    scaled.scale(row_scale);
-    return solve_scaled(solution, scaled, relative_tolerance);
+    LinearOutcome outcome = iterate(
+      relative_tolerance, options.max_iterations, solution, right_hand_side);
+    outcome.iterations += earlier;
+    return outcome;
+  }
+
+
+
+  bool
+  BlockAmgSolver::uses_conjugate_gradients() const
+  {
+    // the sweep after the cycle, and none before it, is not symmetric
+    return !has_pressure && smoothing.size() == 0 &&
+           system.symmetry == MatrixSymmetry::symmetric;
   }
 
 
@@ -329,9 +391,9 @@ namespace MixedCracks
   std::string
   BlockAmgSolver::description() const
   {
-    return has_pressure || system.symmetry != MatrixSymmetry::symmetric
-             ? "FGMRES with smoothed aggregation"
-             : "conjugate gradients with smoothed aggregation";
+    return uses_conjugate_gradients()
+             ? "conjugate gradients with smoothed aggregation"
+             : "FGMRES with smoothed aggregation";
   }
 
 
