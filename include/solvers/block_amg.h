@@ -13,9 +13,11 @@ namespace MixedCracks
   ///     ( B  -C  )        the right by              ( 0   -S~ )
   ///
   /// A~: one multigrid cycle of LinearSystem::auxiliary's displacement
-  /// matrix; S~, near to C + B A^-1 B^T: incomplete factors of its pressure
-  /// matrix. B need not be the transpose of B^T. Without a pressure and with
-  /// a symmetric matrix: conjugate gradients with the cycle alone.
+  /// matrix and then, where that is not A itself, a damped Jacobi sweep on A,
+  /// which takes what the two disagree about: modes within a cell. S~, near to
+  /// C + B A^-1 B^T: incomplete factors of its pressure matrix. B need not be
+  /// the transpose of B^T. Without a pressure and with a symmetric matrix:
+  /// conjugate gradients with the cycle alone.
   class BlockAmgSolver : public LinearSolver
   {
   public:
@@ -54,20 +56,23 @@ namespace MixedCracks
 
     void set_up();
 
-    /// Continue from @p solution until the scaled residual is below
-    /// @p tolerance.
-    LinearOutcome iterate(double                       tolerance,
+    /// Weights of the Jacobi sweep for the present values of the matrix.
+    void set_smoothing();
+
+    /// Of the displacement block scaled by its diagonal.
+    double largest_eigenvalue(const LinearAlgebra::Vector &inverse_diagonal);
+
+    /// Continue from @p solution until the residual is below
+    /// @p relative_tolerance of the right hand side, both scaled.
+    LinearOutcome iterate(double                       relative_tolerance,
                           unsigned int                 max_iterations,
                           LinearAlgebra::Vector       &solution,
-                          const LinearAlgebra::Vector &scaled_right_hand_side);
+                          const LinearAlgebra::Vector &right_hand_side);
+
+    bool uses_conjugate_gradients() const;
 
     /// Iterations after which a hierarchy that is not new is given up.
     unsigned int patience(double relative_tolerance) const;
-
-    LinearOutcome
-    solve_scaled(LinearAlgebra::Vector       &solution,
-                 const LinearAlgebra::Vector &scaled_right_hand_side,
-                 double                       relative_tolerance);
 
     LinearSolverOptions         options;
     LinearSystem                system;
@@ -76,10 +81,13 @@ namespace MixedCracks
     std::unique_ptr<Multigrid>  multigrid;
     std::unique_ptr<MassSolver> mass_solver;
     LinearAlgebra::Vector       row_scale;
-    double                      matrix_diagonal      = 0.; // mean, of A
-    bool                        is_old               = false;
-    double                      iterations_per_digit = 0.; // when new
-    unsigned int                n_hierarchies        = 0;
+    /// of the Jacobi sweep, by row; empty without one
+    LinearAlgebra::Vector smoothing;
+    double                smoothing_damping    = 0.;
+    double                matrix_diagonal      = 0.; // mean, of A
+    bool                  is_old               = false;
+    double                iterations_per_digit = 0.; // when new
+    unsigned int          n_hierarchies        = 0;
   };
 } // namespace MixedCracks
 

@@ -37,7 +37,7 @@ namespace MixedCracks
     /// an old matrix is given up when it reduces the residual by less
     double required_reduction = 0.3;
     /// iterative solvers reduce the residual by this at first ...
-    double loose_linear_tolerance = 1e-2;
+    double loose_linear_tolerance = 1e-3;
     /// ... and never by less than this
     double tight_linear_tolerance = 1e-8;
   };

@@ -6,7 +6,6 @@
 #include <deal.II/lac/solver_cg.h>
 #include <deal.II/lac/solver_gmres.h>
 
-#include <Epetra_Vector.h>
 #include <solvers/block_amg.h>
 
 #include <algorithm>
@@ -78,15 +77,13 @@ namespace MixedCracks
                            : r[i] / scale[i] - rest.begin()[i]);
       solution.resize(part.size());
       solver.multigrid->vmult(solution.data(), part.data());
-      double     *values = result.begin();
-      std::size_t next   = 0;
-      for (std::size_t i = 0; i < n; ++i)
+      put_together(r, result);
+      if (solver.smoothing.size() > 0)
       {
-        values[i] =
-          solver.is_displacement[i] ? solution[next++] : pressure.begin()[i];
-        if (solver.system.is_constrained[i])
-          // stands alone in its row
-          values[i] = r[i] / scale[i] / solver.matrix_diagonal;
+        solver.system.matrix->vmult(rest, result);
+        rest.sadd(-1., 1., source);
+        rest.scale(solver.smoothing);
+        result.add(1., rest);
       }
     }
 
@@ -114,6 +111,23 @@ namespace MixedCracks
           pressure.begin()[i] = 0.;
     }
 
+    // solution and pressure into one vector
+    void
+    put_together(const double *r, Vector &result) const
+    {
+      const double *scale  = solver.row_scale.begin();
+      double       *values = result.begin();
+      std::size_t   next   = 0;
+      for (std::size_t i = 0; i < n; ++i)
+      {
+        values[i] =
+          solver.is_displacement[i] ? solution[next++] : pressure.begin()[i];
+        if (solver.system.is_constrained[i])
+          // stands alone in its row
+          values[i] = r[i] / scale[i] / solver.matrix_diagonal;
+      }
+    }
+
     const BlockAmgSolver       &solver;
     const std::size_t           n;
     mutable Vector              pressure, rest;
@@ -138,6 +152,7 @@ namespace MixedCracks
     system = new_system;
     multigrid.reset();
     mass_solver.reset();
+    smoothing.clear();
     GrowingVectorMemory<Vector>::release_unused_memory();
     is_displacement = system.is_pressure;
     is_displacement.flip();
@@ -157,98 +172,38 @@ namespace MixedCracks
   BlockAmgSolver::factorize()
   {
     is_old = true;
+    if (smoothing.size() > 0)
+      set_smoothing();
     return {};
   }
 
 
 
-  namespace
-  {
-    // Mean of the entries of a diagonal, or of their inverses, in the chosen
-    // rows.
-    double
-    mean_diagonal(const Epetra_CrsMatrix  &matrix,
-                  const std::vector<bool> &chosen,
-                  const bool               inverse,
-                  const MPI_Comm           communicator)
-    {
-      Epetra_Vector diagonal(matrix.RowMap());
-      matrix.ExtractDiagonalCopy(diagonal);
-      std::vector<double> sums(2, 0.);
-      for (std::size_t i = 0; i < chosen.size(); ++i)
-        if (chosen[i])
-        {
-          sums[0] += inverse ? 1. / diagonal[i] : diagonal[i];
-          sums[1] += 1.;
-        }
-      Utilities::MPI::sum(sums, communicator, sums);
-      return sums[0] / sums[1];
-    }
-  } // namespace
-
-
-
-  void
-  BlockAmgSolver::set_up()
-  {
-    multigrid.reset();
-    mass_solver.reset();
-    const MPI_Comm communicator       = system.matrix->get_mpi_communicator();
-    const AuxiliaryMatrices auxiliary = system.auxiliary();
-    const Epetra_CrsMatrix &elastic =
-      (auxiliary.displacement != nullptr ? auxiliary.displacement
-                                         : system.matrix)
-        ->trilinos_matrix();
-    multigrid =
-      std::make_unique<Multigrid>(extract_block(elastic, is_displacement),
-                                  system.n_components,
-                                  system.rigid_body_modes());
-    matrix_diagonal = mean_diagonal(
-      system.matrix->trilinos_matrix(), is_displacement, false, communicator);
-    row_scale = 1.;
-    if (has_pressure)
-    {
-      const Epetra_CrsMatrix &mass = auxiliary.pressure->trilinos_matrix();
-      mass_solver =
-        std::make_unique<MassSolver>(extract_block(mass, system.is_pressure));
-      // broken cells have large entries: the mean of the inverses is that of
-      // the intact ones
-      const double scale =
-        std::sqrt(matrix_diagonal *
-                  mean_diagonal(mass, system.is_pressure, true, communicator));
-      for (std::size_t i = 0; i < system.is_pressure.size(); ++i)
-        if (system.is_pressure[i])
-          row_scale.begin()[i] = scale;
-    }
-    is_old               = false;
-    iterations_per_digit = 0.;
-    ++n_hierarchies;
-  }
-
-
-
   LinearOutcome
-  BlockAmgSolver::iterate(const double       tolerance,
+  BlockAmgSolver::iterate(const double       relative_tolerance,
                           const unsigned int max_iterations,
                           Vector            &solution,
-                          const Vector      &scaled_right_hand_side)
+                          const Vector      &right_hand_side)
   {
+    Vector scaled(right_hand_side);
+    scaled.scale(row_scale);
+    const double         tolerance = relative_tolerance * scaled.l2_norm();
     LinearOutcome        outcome;
     SolverControl        control(max_iterations, tolerance, false, false);
     const ScaledMatrix   matrix(*this);
     const Preconditioner preconditioner(*this);
     try
     {
-      if (has_pressure || system.symmetry != MatrixSymmetry::symmetric)
+      if (!uses_conjugate_gradients())
       {
         SolverFGMRES<Vector> solver(
           control, typename SolverFGMRES<Vector>::AdditionalData(restart));
-        solver.solve(matrix, solution, scaled_right_hand_side, preconditioner);
+        solver.solve(matrix, solution, scaled, preconditioner);
       }
       else
       {
         SolverCG<Vector> solver(control);
-        solver.solve(matrix, solution, scaled_right_hand_side, preconditioner);
+        solver.solve(matrix, solution, scaled, preconditioner);
       }
     }
     catch (const SolverControl::NoConvergence &)
@@ -282,34 +237,6 @@ namespace MixedCracks
 
 
   LinearOutcome
-  BlockAmgSolver::solve_scaled(Vector       &solution,
-                               const Vector &scaled_right_hand_side,
-                               const double  relative_tolerance)
-  {
-    const double size      = scaled_right_hand_side.l2_norm();
-    const double tolerance = relative_tolerance * size;
-    unsigned int earlier   = 0;
-    if (is_old && options.tolerated_growth > 0.)
-    {
-      const LinearOutcome outcome = iterate(tolerance,
-                                            patience(relative_tolerance),
-                                            solution,
-                                            scaled_right_hand_side);
-      if (outcome.success)
-        return outcome;
-      earlier = outcome.iterations;
-    }
-    if (is_old)
-      set_up();
-    LinearOutcome outcome = iterate(
-      tolerance, options.max_iterations, solution, scaled_right_hand_side);
-    outcome.iterations += earlier;
-    return outcome;
-  }
-
-
-
-  LinearOutcome
   BlockAmgSolver::solve(Vector       &solution,
                         const Vector &right_hand_side,
                         const double  relative_tolerance)
@@ -317,11 +244,33 @@ namespace MixedCracks
     solution = 0.;
     if (right_hand_side.l2_norm() == 0.)
       return {};
-    if (!multigrid)
+    unsigned int earlier = 0;
+    if (multigrid && is_old && options.tolerated_growth > 0.)
+    {
+      const LinearOutcome outcome = iterate(relative_tolerance,
+                                            patience(relative_tolerance),
+                                            solution,
+                                            right_hand_side);
+      if (outcome.success)
+        return outcome;
+      earlier = outcome.iterations;
+    }
+    if (!multigrid || is_old)
       set_up();
-    Vector scaled(right_hand_side);
-    scaled.scale(row_scale);
-    return solve_scaled(solution, scaled, relative_tolerance);
+    LinearOutcome outcome = iterate(
+      relative_tolerance, options.max_iterations, solution, right_hand_side);
+    outcome.iterations += earlier;
+    return outcome;
+  }
+
+
+
+  bool
+  BlockAmgSolver::uses_conjugate_gradients() const
+  {
+    // the sweep after the cycle, and none before it, is not symmetric
+    return !has_pressure && smoothing.size() == 0 &&
+           system.symmetry == MatrixSymmetry::symmetric;
   }
 
 
@@ -329,9 +278,9 @@ namespace MixedCracks
   std::string
   BlockAmgSolver::description() const
   {
-    return has_pressure || system.symmetry != MatrixSymmetry::symmetric
-             ? "FGMRES with smoothed aggregation"
-             : "conjugate gradients with smoothed aggregation";
+    return uses_conjugate_gradients()
+             ? "conjugate gradients with smoothed aggregation"
+             : "FGMRES with smoothed aggregation";
   }
 
 

@@ -10,6 +10,8 @@
 #include <ml_MultiLevelPreconditioner.h>
 #include <solvers/multigrid.h>
 
+#include <algorithm>
+
 namespace MixedCracks
 {
   namespace

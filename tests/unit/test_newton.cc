@@ -181,8 +181,10 @@ TEST(Newton, PassesTheReasonOfAFailedSolveOn)
   NewtonProblem problem;
   problem.residual      = []() { return ResidualSize{1., 0.}; };
   problem.update_matrix = [](bool) { return LinearOutcome(); };
-  problem.solve = [](double) { return LinearOutcome{false, 0, "out of memory"}; };
-  problem.move  = [](double) {};
+  problem.solve         = [](double) {
+    return LinearOutcome{false, 0, "out of memory"};
+  };
+  problem.move          = [](double) {};
   NewtonOutcome outcome = solve_newton(problem, {});
   EXPECT_FALSE(outcome.converged);
   EXPECT_NE(outcome.reason.find("out of memory"), std::string::npos);
@@ -243,4 +245,79 @@ TEST(Newton, JudgesTheLargerOfBothResiduals)
   const NewtonOutcome outcome = solve_newton(problem, {});
   EXPECT_TRUE(outcome.converged);
   EXPECT_EQ(outcome.iterations, 1u);
+}
+
+
+
+namespace
+{
+  // A linear system solved no better than asked for; the tolerances that were
+  // asked for, and the iterations.
+  struct InexactSolves
+  {
+    std::vector<double> tolerances;
+    NewtonOutcome       outcome;
+  };
+
+  InexactSolves
+  solve_inexactly(const std::function<double(double)> &value,
+                  const std::function<double(double)> &derivative,
+                  const double                         start,
+                  const NewtonOptions                 &options)
+  {
+    InexactSolves result;
+    double        x = start, correction = 0.;
+    NewtonProblem problem;
+    problem.residual = [&]() { return ResidualSize{std::abs(value(x)), 0.}; };
+    problem.update_matrix = [](bool) { return LinearOutcome(); };
+    problem.solve         = [&](const double tolerance) {
+      result.tolerances.push_back(tolerance);
+      correction = -(1. - tolerance) * value(x) / derivative(x);
+      return LinearOutcome{true, 1, ""};
+    };
+    problem.move   = [&](const double factor) { x += factor * correction; };
+    result.outcome = solve_newton(problem, options);
+    return result;
+  }
+} // namespace
+
+
+
+TEST(Newton, AsksForExactSolutionsOnceTheModelIsKnownToBeLinear)
+{
+  const NewtonOptions options;
+  const InexactSolves linear =
+    solve_inexactly([](const double x) { return 3. * x - 6.; },
+                    [](double) { return 3.; },
+                    0.,
+                    options);
+  EXPECT_TRUE(linear.outcome.converged) << linear.outcome.reason;
+  ASSERT_EQ(linear.tolerances.size(), 2u);
+  EXPECT_DOUBLE_EQ(linear.tolerances[0], options.loose_linear_tolerance);
+  // the rest: from 6e-3 to half of the tolerance
+  EXPECT_NEAR(linear.tolerances[1], 0.5 * options.tolerance / 6e-3, 1e-12);
+}
+
+
+
+TEST(Newton, AsksForLooseSolutionsWhileTheModelIsOff)
+{
+  NewtonOptions options;
+  options.loose_linear_tolerance = 0.05;
+  options.tolerance              = 1e-12;
+  const InexactSolves curved =
+    solve_inexactly([](const double x) { return x * x * x - 8.; },
+                    [](const double x) { return 3. * x * x; },
+                    5.,
+                    options);
+  EXPECT_TRUE(curved.outcome.converged) << curved.outcome.reason;
+  ASSERT_GE(curved.tolerances.size(), 5u);
+  // far away no model is worth more, close by they tighten
+  EXPECT_DOUBLE_EQ(curved.tolerances[1], 0.05);
+  EXPECT_LT(curved.tolerances.back(), 1e-3);
+  for (const double tolerance : curved.tolerances)
+  {
+    EXPECT_LE(tolerance, 0.5 * options.required_reduction);
+    EXPECT_GE(tolerance, options.tight_linear_tolerance);
+  }
 }
