@@ -231,8 +231,9 @@ namespace MixedCracks
                        const double       peak_force,
                        const unsigned int steps_to_wait)
   {
-    time      = new_time;
-    time_step = step;
+    time = new_time;
+    // a run that had reached its end had no next step
+    time_step = step > 0. ? step : parameters.first_step;
     peak      = peak_force;
     to_wait   = steps_to_wait;
     limit_step();

@@ -217,7 +217,8 @@ TYPED_TEST(FluidKernelOf, ResidualOfThePhaseFieldIsThatOfTheTotalEnergy)
     cell.total_energy(u, phi);
     std::vector<double> driving;
     for (const auto &point : cell.elastic.points())
-      driving.push_back(cell.elastic.driving_force(point));
+      driving.push_back(
+        cell.elastic.driving_force(point, cell.material.uniform_constants()));
     cell.phase.set_state(phi, driving);
     LocalVector found(cell.n_phase);
     cell.phase.residual(found);
