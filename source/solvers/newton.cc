@@ -57,8 +57,8 @@ namespace MixedCracks
       next(const double residual)
       {
         // Half of the tolerance: the linear solver measures in another norm.
-        // Where only a relative reduction is asked for, displacements that
-        // barely reach it make the coupling slow: 350 iterations for 150.
+        // Not of a looser target: the acceleration of the coupling would see
+        // the noise (doc/solvers.md).
         used = std::max({std::min(wanted, options.loose_linear_tolerance),
                          options.tight_linear_tolerance,
                          0.5 * options.tolerance / residual});
