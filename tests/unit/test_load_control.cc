@@ -218,6 +218,9 @@ TEST(LoadControl, ContinuesFromACheckpoint)
   EXPECT_EQ(control.steps_to_wait(), 1u);
   control.restore(9.9, 0.25, 80., 0);
   EXPECT_DOUBLE_EQ(control.target_time(), 10.);
+  // written at an end time that has been put off since: there was no next step
+  control.restore(5., 0., 80., 0);
+  EXPECT_DOUBLE_EQ(control.target_time(), 5. + parameters().first_step);
 }
 
 

@@ -18,7 +18,7 @@ namespace
   {
     return "Geometry/Name = rectangle\n"
            "Geometry/Rectangle/Upper corner = 2, 1\n"
-           "Geometry/Rectangle/Subdivisions = 4, 2\n"
+           "Geometry/Rectangle/Cell size = 0.5\n"
            "Mesh/Refined boxes = 0,0 : 0.6,0.6 : 2\n"
            "Model/Kinematics = plane stress\n"
            "Model/Formulation = " +

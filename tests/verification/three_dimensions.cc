@@ -219,7 +219,9 @@ namespace
   run(std::vector<std::string> settings)
   {
     const std::string directory =
-      "three_dimensions_" + std::to_string(dim) + "d_results";
+      "three_dimensions_" + std::to_string(dim) + "d_" +
+      std::to_string(dealii::Utilities::MPI::n_mpi_processes(MPI_COMM_WORLD)) +
+      "_ranks";
     settings.push_back("Geometry/Dimension=" + std::to_string(dim));
     settings.push_back("Output/Directory=" + directory);
     Parameters<dim>          parameters;

@@ -1,0 +1,92 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""Every .prm in parameters/ runs its first two load steps.
+
+    run_two_steps.py EXECUTABLE MPIRUN RANKS [part of a name ...]
+
+A run must end with exit status 0, write nothing to the error stream, and leave
+at least two accepted steps in statistics.csv, all of finite numbers. Cases with
+fine meshes run on a coarser one here: SHORT has the entries.
+"""
+import csv
+import json
+import math
+import os
+import re
+import subprocess
+import sys
+import tempfile
+
+ROOT = os.path.abspath(os.path.join(os.path.dirname(__file__), "..", ".."))
+
+SHORT = {
+    "notched_tension.prm": ["Mesh/Refined boxes=0.3,0.45 : 0.7,0.55 : 1",
+                            "Mesh/Adaptive levels=0"],
+    "notched_shear.prm": ["Mesh/Refined boxes=", "Mesh/Adaptive levels=1"],
+    "three_point_bending.prm": ["Mesh/Refined discs=",
+                                "Mesh/Adaptive levels=1"],
+    "l_shaped_panel.prm": ["Geometry/L-shape/Cell size=10"],
+    "sneddon_2d.prm": ["Mesh/Refined boxes=-1.5,-0.5 : 1.5,0.5 : 3"],
+    "sneddon_2d_incompressible.prm": [
+        "Mesh/Refined boxes=-1.5,-0.5 : 1.5,0.5 : 3"],
+    "sneddon_3d.prm": ["Mesh/Refined boxes=-2,-2,-2 : 2,2,2 : 1"],
+    "slit_cube.prm": ["Mesh/Adaptive levels=0"],
+}
+
+
+def two_first_steps(path):
+    """The time after two steps of the first size."""
+    with open(path) as lines:
+        first = re.search(r"^\s*set\s+First step\s*=\s*([^#\s]+)", lines.read(),
+                          re.MULTILINE)
+    return 2. * float(first.group(1)) if first else 2.
+
+
+def offences(command, path, folder):
+    results = os.path.join(folder, "results")
+    sets = SHORT.get(os.path.basename(path), []) + [
+        "Load stepping/End time=%.15g" % two_first_steps(path)]
+    arguments = [path, "--output", results]
+    for each in sets:
+        arguments += ["--set", each]
+    process = subprocess.run(command + arguments, cwd=ROOT,
+                             stdin=subprocess.DEVNULL, stdout=subprocess.PIPE,
+                             stderr=subprocess.PIPE, universal_newlines=True,
+                             timeout=600)
+    if process.returncode != 0 or process.stderr:
+        yield "exit status %d: %s" % (process.returncode, process.stderr.strip())
+        return
+    with open(os.path.join(results, "statistics.csv")) as table:
+        rows = list(csv.DictReader(table))
+    if len(rows) < 3:
+        yield "%d rows in statistics.csv" % len(rows)
+    for row in rows:
+        for name, text in row.items():
+            if not math.isfinite(float(text)):
+                yield "step %s: %s is %s" % (row["step"], name, text)
+    with open(os.path.join(results, "summary.json")) as summary:
+        if json.load(summary)["steps"] < 2:
+            yield "fewer than two steps in summary.json"
+
+
+def main():
+    if len(sys.argv) < 4:
+        sys.exit(__doc__)
+    command = [sys.argv[2], "-n", sys.argv[3], os.path.abspath(sys.argv[1])]
+    paths = [os.path.join(folder, name)
+             for folder, _, names in os.walk(os.path.join(ROOT, "parameters"))
+             for name in names if name.endswith(".prm")
+             and (len(sys.argv) == 4
+                  or any(part in name for part in sys.argv[4:]))]
+    n_failed = 0
+    for path in sorted(paths):
+        with tempfile.TemporaryDirectory() as folder:
+            found = list(offences(command, path, folder))
+        n_failed += bool(found)
+        print("%s: %s" % (os.path.relpath(path, ROOT), found or "ok"), flush=True)
+    print("%d cases, %d failed" % (len(paths), n_failed))
+    return 1 if n_failed or not paths else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
