@@ -14,7 +14,8 @@ fail() {
 # Cores this process may use: a container may be granted less than it sees.
 usable_cores() {
   local cores quota period granted
-  cores=$(nproc)
+  # nproc obeys the number of threads that a rank is to use
+  cores=$(env -u OMP_NUM_THREADS -u OMP_THREAD_LIMIT nproc)
   if [ -r /sys/fs/cgroup/cpu.max ]; then
     read -r quota period </sys/fs/cgroup/cpu.max || true
     if [ "${quota:-max}" != max ] && [ "${period:-0}" -gt 0 ]; then
