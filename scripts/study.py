@@ -56,6 +56,9 @@ def read_arguments():
         all_kinds[kind].add_argument("--title", default="")
     all_kinds["curves"].add_argument("--per-thickness", action="store_true",
                                      help="force per mm of thickness")
+    all_kinds["curves"].add_argument("--component", choices=("x", "y", "z"),
+                                     help="this component of the force, also "
+                                     "where others are as large")
     all_kinds["curves"].add_argument("--reference", nargs="+", default=[],
                                      metavar="CSV")
     all_kinds["cracks"].add_argument("--columns", type=int, default=5, metavar="N")
@@ -83,6 +86,9 @@ def main():
             return 0
         runs = studies.runs_of(arguments.directory, arguments.only)
         if arguments.kind == "curves":
+            if arguments.component:
+                for run in runs:
+                    run.choose_component(arguments.component)
             study_curves.write(runs, arguments.output, arguments.title,
                                arguments.per_thickness, arguments.reference)
         elif arguments.kind == "cracks":

@@ -8,8 +8,10 @@ SEPARATED_FRACTION = 0.2  # of the peak force, when the run does not name its ow
 class Force:
     """The force that is drawn: its values, its name, its peak and its fall."""
 
-    def __init__(self, results):
-        self.values, self.label = chosen_force(results)
+    def __init__(self, results, component=None):
+        """component: 'x', 'y' or 'z' to have that one, its sign turned where
+        it presses; None: what fits the run."""
+        self.values, self.label = chosen_force(results, component)
         self.peak = None
         self.separation = None
         if self.values is None or not np.isfinite(self.values).any():
@@ -20,10 +22,10 @@ class Force:
         self.threshold = separation_threshold(results)
 
 
-def chosen_force(results):
+def chosen_force(results, component=None):
     """(values, label): the component along the load where the others are
     small, otherwise the magnitude."""
-    names = [name for name in "xyz"
+    names = [name for name in component or "xyz"
              if results.column("force_%s_N" % name) is not None]
     if not names:
         return None, ""

@@ -22,6 +22,10 @@ class StudyRun:
         self.summary = self.results.summary
         self.force = moments.Force(self.results)
 
+    def choose_component(self, component):
+        """Look at one component of the force: 'x', 'y' or 'z'."""
+        self.force = moments.Force(self.results, component)
+
     @property
     def has_curve(self):
         return self.force.values is not None \

@@ -272,6 +272,15 @@ class Studies(Case):
         process = self.study("curves", "--output", self.path("c.png"),
                              "--per-thickness", status=2)
         self.assertIn("tells no thickness", process.stderr)
+        # a component of its own is another curve than the chosen one
+        self.study("curves", "--output", self.path("x.svg"), "--component", "x",
+                   "--title", "A & B", "--reference", self.path("measured.csv"),
+                   "--only", "soft_2")
+        self.assertNotEqual(self.text("x.svg"), text)
+        self.study("curves", "--output", self.path("y.svg"), "--component", "y",
+                   "--title", "A & B", "--reference", self.path("measured.csv"),
+                   "--only", "soft_2")
+        self.assertEqual(self.text("y.svg"), text)
         self.study("curves", "--output", self.path("c.png"))
         with open(self.path("c.png"), "rb") as stream:
             self.assertEqual(stream.read(4), b"\x89PNG")
