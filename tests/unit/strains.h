@@ -69,6 +69,29 @@ namespace MixedCracks
       return tangent;
     }
 
+    /// Central difference quotient of an energy by the strain: a stress.
+    template <int dim>
+    dealii::SymmetricTensor<2, dim>
+    energy_quotient(
+      const std::function<double(const dealii::SymmetricTensor<2, dim> &)>
+                                            &energy,
+      const dealii::SymmetricTensor<2, dim> &strain)
+    {
+      const double                    step = 1e-6;
+      dealii::SymmetricTensor<2, dim> stress;
+      for (unsigned int i = 0; i < dim; ++i)
+        for (unsigned int j = i; j < dim; ++j)
+        {
+          dealii::SymmetricTensor<2, dim> plus = strain, minus = strain;
+          plus[i][j] += step;
+          minus[i][j] -= step;
+          // an entry beside the diagonal moves its mirror image with it
+          const double moved = (i == j ? 2. : 4.) * step;
+          stress[i][j]       = (energy(plus) - energy(minus)) / moved;
+        }
+      return stress;
+    }
+
     /// The entries of a displacement gradient with this strain: the
     /// variables of an energy that is differentiated automatically. The
     /// derivatives by them are those by the strain.

@@ -141,18 +141,10 @@ TYPED_TEST(MaterialEnergyTest, SpectralWithDegradedBulkIsMiehesModel)
         const auto [tension, compression] = energies(x);
         return g * tension + compression;
       };
-      const double step   = 1e-6;
-      const auto   stress = material.eliminated(strain, g).stress;
+      const auto stress   = material.eliminated(strain, g).stress;
+      const auto expected = energy_quotient<dim>(degraded, strain);
       for (unsigned int i = 0; i < dim; ++i)
         for (unsigned int j = i; j < dim; ++j)
-        {
-          SymmetricTensor<2, dim> plus = strain, minus = strain;
-          plus[i][j] += step;
-          minus[i][j] -= step;
-          const double moved = (i == j ? 2. : 4.) * step;
-          EXPECT_NEAR(stress[i][j],
-                      (degraded(plus) - degraded(minus)) / moved,
-                      1e-7 * lambda);
-        }
+          EXPECT_NEAR(stress[i][j], expected[i][j], 1e-7 * lambda);
     }
 }

@@ -139,22 +139,14 @@ TYPED_TEST(SpectralSplitTest, StressIsTheDerivativeOfTheEnergy)
 {
   constexpr int            dim = TypeParam::value;
   const SpectralSplit<dim> split;
-  const double             step = 1e-6;
   for (const auto &strain : random_strains<dim>(50))
   {
     const SymmetricTensor<2, dim> stress = split.evaluate(strain, mu).positive;
     EXPECT_NEAR(stress * strain, 2. * tension_energy(strain), 1e-15);
+    const auto expected = energy_quotient<dim>(tension_energy<dim>, strain);
     for (unsigned int i = 0; i < dim; ++i)
       for (unsigned int j = i; j < dim; ++j)
-      {
-        SymmetricTensor<2, dim> plus = strain, minus = strain;
-        plus[i][j] += step;
-        minus[i][j] -= step;
-        const double moved = (i == j ? 2. : 4.) * step;
-        EXPECT_NEAR(stress[i][j],
-                    (tension_energy(plus) - tension_energy(minus)) / moved,
-                    1e-8 * mu);
-      }
+        EXPECT_NEAR(stress[i][j], expected[i][j], 1e-8 * mu);
   }
 }
 
