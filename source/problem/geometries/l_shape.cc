@@ -97,15 +97,11 @@ namespace MixedCracks
   void
   LShape<dim>::create(dealii::Triangulation<dim> &triangulation) const
   {
-    if constexpr (dim == 2)
-      create_plane(triangulation);
-    else
-    {
-      dealii::Triangulation<2> plane;
-      create_plane(plane);
-      extrude(
-        plane, equal_layers(this->thickness(), thickness_cells), triangulation);
-    }
+    create_extruded(
+      [this](dealii::Triangulation<2> &plane) { create_plane(plane); },
+      this->thickness(),
+      thickness_cells,
+      triangulation);
   }
 
 
