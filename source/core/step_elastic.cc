@@ -4,6 +4,7 @@
 #include <deal.II/dofs/dof_tools.h>
 
 #include <discretization/rigid_body_modes.h>
+#include <discretization/sparse_matrix.h>
 
 namespace MixedCracks
 {
@@ -46,25 +47,6 @@ namespace MixedCracks
 
 
   template <int dim>
-  void
-  ElasticStep<dim>::make_matrix()
-  {
-    const DofSets                 &dofs = fields.elastic_dofs;
-    LinearAlgebra::SparsityPattern pattern(
-      dofs.owned, dofs.owned, dofs.relevant, fields.communicator());
-    DoFTools::make_sparsity_pattern(
-      fields.elastic,
-      pattern,
-      constraints.elastic_corrections(),
-      false,
-      Utilities::MPI::this_mpi_process(fields.communicator()));
-    pattern.compress();
-    matrix.reinit(pattern);
-  }
-
-
-
-  template <int dim>
   LinearOutcome
   ElasticStep<dim>::reinit()
   {
@@ -72,8 +54,9 @@ namespace MixedCracks
     assembler.reinit();
     if (loads.fluid)
       loads.fluid->reinit();
-    make_matrix();
     const DofSets &dofs = fields.elastic_dofs;
+    make_sparse_matrix(
+      fields.elastic, dofs, constraints.elastic_corrections(), matrix);
     for (Vector *vector :
          {&iterate, &full_residual, &residual, &correction, &external})
       vector->reinit(dofs.owned, fields.communicator());

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include <core/step_phase_field.h>
 
-#include <deal.II/dofs/dof_tools.h>
+#include <discretization/sparse_matrix.h>
 
 #include <algorithm>
 
@@ -70,16 +70,7 @@ namespace MixedCracks
     TimerOutput::Scope scope(timer, "setup");
     const DofSets     &dofs    = fields.phase_field_dofs;
     const auto        &hanging = constraints.phase_field_hanging_nodes();
-    LinearAlgebra::SparsityPattern pattern(
-      dofs.owned, dofs.owned, dofs.relevant, fields.communicator());
-    DoFTools::make_sparsity_pattern(
-      fields.phase_field,
-      pattern,
-      hanging,
-      false,
-      Utilities::MPI::this_mpi_process(fields.communicator()));
-    pattern.compress();
-    matrix.reinit(pattern);
+    make_sparse_matrix(fields.phase_field, dofs, hanging, matrix);
     for (LinearAlgebra::Vector *vector :
          {&iterate, &residual, &lower, &upper, &mass})
       vector->reinit(dofs.owned, fields.communicator());

@@ -98,7 +98,7 @@ namespace MixedCracks
       const auto        at   = text.find(mark);
       return at == std::string::npos
                ? -1
-               : std::atoi(text.substr(at + mark.size(), 5).c_str());
+               : std::atoi(text.c_str() + at + mark.size());
     }
 
     // Write and rename; whether that worked.

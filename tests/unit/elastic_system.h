@@ -16,6 +16,7 @@
 
 #include <discretization/constraints.h>
 #include <discretization/rigid_body_modes.h>
+#include <discretization/sparse_matrix.h>
 
 #include <solvers/linear_solver.h>
 
@@ -75,7 +76,10 @@ namespace MixedCracks
         assembler = std::make_unique<Assembler<dim>>(fields, material);
         assembler->reinit();
         auxiliaries.reinit();
-        make_matrix();
+        make_sparse_matrix(fields.elastic,
+                           fields.elastic_dofs,
+                           constraints.elastic_corrections(),
+                           matrix);
         assemble();
       }
 
@@ -180,22 +184,6 @@ namespace MixedCracks
         }
         cell_size =
           std::pow(0.5, options.refinements + options.adaptive_levels);
-      }
-
-      void
-      make_matrix()
-      {
-        const DofSets                 &dofs = fields.elastic_dofs;
-        LinearAlgebra::SparsityPattern pattern(
-          dofs.owned, dofs.owned, dofs.relevant, MPI_COMM_WORLD);
-        dealii::DoFTools::make_sparsity_pattern(
-          fields.elastic,
-          pattern,
-          constraints.elastic_corrections(),
-          false,
-          dealii::Utilities::MPI::this_mpi_process(MPI_COMM_WORLD));
-        pattern.compress();
-        matrix.reinit(pattern);
       }
 
       Vector

@@ -12,6 +12,7 @@
 #include <deal.II/numerics/vector_tools.h>
 
 #include <discretization/constraints.h>
+#include <discretization/sparse_matrix.h>
 
 #include <gtest/gtest.h>
 
@@ -52,17 +53,10 @@ namespace
     void
     make_matrix(LinearAlgebra::SparseMatrix &result) const
     {
-      const DofSets                 &dofs = fields.elastic_dofs;
-      LinearAlgebra::SparsityPattern pattern(
-        dofs.owned, dofs.owned, dofs.relevant, MPI_COMM_WORLD);
-      dealii::DoFTools::make_sparsity_pattern(
-        fields.elastic,
-        pattern,
-        constraints.elastic_hanging_nodes(),
-        false,
-        dealii::Utilities::MPI::this_mpi_process(MPI_COMM_WORLD));
-      pattern.compress();
-      result.reinit(pattern);
+      make_sparse_matrix(fields.elastic,
+                         fields.elastic_dofs,
+                         constraints.elastic_hanging_nodes(),
+                         result);
     }
 
     // smooth displacements, with tension on one side and compression on the
@@ -198,19 +192,10 @@ TEST_F(RefinedSquare, CorrectedMatrixIsTheNewOne)
 TEST_F(RefinedSquare, PhaseFieldResidualFollowsItsMatrix)
 {
   // quadratic in the phase field: the matrix is the difference of residuals
-  const auto    &hanging = constraints.phase_field_hanging_nodes();
-  const DofSets &dofs    = fields.phase_field_dofs;
-  LinearAlgebra::SparsityPattern pattern(
-    dofs.owned, dofs.owned, dofs.relevant, MPI_COMM_WORLD);
-  dealii::DoFTools::make_sparsity_pattern(
-    fields.phase_field,
-    pattern,
-    hanging,
-    false,
-    dealii::Utilities::MPI::this_mpi_process(MPI_COMM_WORLD));
-  pattern.compress();
+  const auto                 &hanging = constraints.phase_field_hanging_nodes();
+  const DofSets              &dofs    = fields.phase_field_dofs;
   LinearAlgebra::SparseMatrix phase_field_matrix;
-  phase_field_matrix.reinit(pattern);
+  make_sparse_matrix(fields.phase_field, dofs, hanging, phase_field_matrix);
 
   assemble(*assembler, phase_field(0.3), matrix);
   Vector first = fields.owned_vector(dofs), second = first, expected = first;

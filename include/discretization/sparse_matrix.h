@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#ifndef mixed_cracks_discretization_sparse_matrix_h
+#define mixed_cracks_discretization_sparse_matrix_h
+
+#include <core/linear_algebra.h>
+
+#include <deal.II/lac/affine_constraints.h>
+
+#include <discretization/fields.h>
+
+namespace MixedCracks
+{
+  /// Make @p matrix square and zero, with the rows @p dofs of @p handler and
+  /// an entry wherever two dofs share a cell. Constrained dofs keep their
+  /// diagonal only. Collective.
+  template <int dim>
+  void make_sparse_matrix(const dealii::DoFHandler<dim>           &handler,
+                          const DofSets                           &dofs,
+                          const dealii::AffineConstraints<double> &constraints,
+                          LinearAlgebra::SparseMatrix             &matrix);
+} // namespace MixedCracks
+
+#endif
