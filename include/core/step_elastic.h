@@ -88,7 +88,6 @@ namespace MixedCracks
     std::string linear_solver_in_words() const;
 
   private:
-
     /// Make the linear solver for this mesh, if it has to be another one.
     void choose_solver();
 
