@@ -6,7 +6,7 @@ import html
 import os
 import re
 
-from . import crack_path, curves, moments, pictures, vtu, words
+from . import crack_path, curves, moments, pictures, solids, vtu, words
 from .results import Results
 
 PAGE = """<!DOCTYPE html>
@@ -103,20 +103,39 @@ def field_sections(results, force, remarks):
         except vtu.FieldError as error:
             remarks.append("A picture is missing: %s." % error)
             continue
-        figures.append((pictures.phase_field_picture(fields),
-                        caption(results, force, time, text)))
+        draw = solids.crack_picture if solids.is_solid(fields) else \
+            pictures.phase_field_picture
+        figures.append((draw(fields), caption(results, force, time, text)))
         drawn.append((time, text, fields))
     if not drawn:
         return section("The crack", "<p class=\"note\">None of the files of fields "
                        "could be drawn.</p>" + path_part(results, None, remarks))
-    flat = pictures.is_flat(drawn[0][2])
+    first, last = drawn[0][2], drawn[-1]
+    if solids.is_solid(first):
+        return section("The crack", row(figures, solids.common_window([first.points]))
+                       + "<p class=\"note\">%s</p>" % solids.NOTE, "long") \
+            + sections_part(results, *last) + body_section(results, drawn)
     note = "Phase field φ on the undeformed body" \
-        + ("." if flat else ", seen along z.")
-    window = pictures.window_of(drawn[0][2].points)
+        + ("." if pictures.is_flat(first) else ", seen along z.")
     return section("The crack", "<p class=\"note\">%s</p>%s%s%s"
-                   % (note, row(figures, window), color_bar(),
-                      path_part(results, drawn[-1][2], remarks)), "long") \
-        + body_section(results, force, drawn)
+                   % (note, row(figures, pictures.window_of(first.points)),
+                      color_bar(), path_part(results, last[2], remarks)), "long") \
+        + body_section(results, drawn)
+
+
+def sections_part(results, time, text, fields):
+    """Plane sections through a body in 3-d."""
+    figures, windows = [], []
+    for axis, position in solids.section_planes(fields):
+        picture, window = solids.section_picture(fields, axis, position)
+        figures.append((picture, "<b>%s = %s</b>%s to the right, %s upwards"
+                        % (("xyz"[axis], words.number(position, "mm"))
+                           + tuple("xyz"[i] for i in solids.section_axes(axis)))))
+        windows.append(window)
+    note = "Phase field φ in three planes %s (%s)." % (
+        escaped(text or "at " + words.number(time, "s")), place(results, time))
+    return section("Sections", "<p class=\"note\">%s</p>" % note
+                   + row_of_equal_height(figures, windows, 22.) + color_bar(), "long")
 
 
 def path_part(results, fields, remarks):
@@ -149,33 +168,35 @@ def path_part(results, fields, remarks):
             "crack", "starts at", "ends at", "length (mm)", "kink angle (°)")), rows)
 
 
-def body_section(results, force, drawn):
+def body_section(results, drawn):
     """The mesh at the end, the body at the peak and at the end."""
     end_time, _, end_fields = drawn[-1]
+    artist = solids if solids.is_solid(end_fields) else pictures
     bodies = []
     for time, text, fields in [d for d in drawn[:-1] if "peak" in d[1]] + [drawn[-1]]:
         scale = pictures.deformation_scale(fields) \
             if "displacement" in fields.data else None
         if scale is not None:
             bodies.append((time, text, fields, scale))
-    figures = [(pictures.mesh_picture(end_fields), "<b>Mesh</b>%s cells, %s"
+    figures = [(artist.mesh_picture(end_fields), "<b>Mesh</b>%s cells, %s"
                 % (cells_at(results, end_time, end_fields),
                    escaped(place(results, end_time))))]
-    windows = [pictures.window_of(end_fields.points)]
+    windows = [artist.common_window([end_fields.points])]
     if bodies:
-        windows += len(bodies) * [pictures.common_window(
+        windows += len(bodies) * [artist.common_window(
             [end_fields.points] + [pictures.deformed_points(fields, scale)
                                    for _, _, fields, scale in bodies])]
     window = windows[-1]
     for time, text, fields, scale in bodies:
-        figures.append((pictures.deformed_picture(fields, scale, window),
+        figures.append((artist.deformed_picture(fields, scale, window),
                         "<b>Deformed, %s</b>%s, %s"
                         % (escaped(text or "at " + words.number(time, "s")),
                            escaped(place(results, time)),
                            "true to scale" if scale == 1. else
                            "displacement × " + words.number(scale))))
-    note = "Cells that reach φ below %s, or are stretched more than %g times, " \
-        "are left out of the deformed body." % (pictures.BROKEN, pictures.TORN)
+    note = "Cells that reach φ below %s%s are left out of the deformed body." % (
+        pictures.BROKEN, "" if artist is solids else
+        ", or are stretched more than %g times," % pictures.TORN)
     return section("Mesh and deformation", row_of_equal_height(figures, windows)
                    + ("<p class=\"note\">%s</p>" % note if bodies else ""), "long")
 
@@ -229,8 +250,8 @@ def row(figures, window):
     return figures_of([(png, label, width) for png, label in figures])
 
 
-def row_of_equal_height(figures, windows):
-    """Figures of different shapes in one row, no higher than 36 rem."""
+def row_of_equal_height(figures, windows, highest=36.):
+    """Figures of different shapes in one row, no higher than that many rem."""
     sizes = [high - low for low, high in windows]
     aspects = [size[0] / max(size[1], 1e-300) for size in sizes]
     gaps = 1.2 * (len(figures) - 1) + 0.01
@@ -238,7 +259,7 @@ def row_of_equal_height(figures, windows):
         return figures_of([(png, label, "100%") for png, label in figures])
     return figures_of(
         [(png, label, "min(calc((100%% - %.2frem) * %.4f), %.2frem)"
-          % (gaps, aspect / sum(aspects), 36. * aspect))
+          % (gaps, aspect / sum(aspects), highest * aspect))
          for (png, label), aspect in zip(figures, aspects)])
 
 

@@ -35,13 +35,15 @@ class FieldError(Exception):
 class Fields:
     """One moment: points (n, 3), faces (m, 4), and point data by name.
 
-    A triangle repeats its last corner. In 3-d the faces are the outer ones.
+    A triangle repeats its last corner. In 3-d the faces are the outer ones, and
+    cells (k, 8) are those that are hexahedra.
     """
 
-    def __init__(self, points, faces, data):
+    def __init__(self, points, faces, data, cells=None):
         self.points = points
         self.faces = faces
         self.data = data
+        self.cells = np.zeros((0, 8), int) if cells is None else cells
 
 
 def read_collection(directory):
@@ -153,6 +155,16 @@ def faces_of(connectivity, offsets, types):
     return np.concatenate(faces), is_volume
 
 
+def hexahedra_of(connectivity, offsets, types):
+    """Corners of the hexahedra, 8 each."""
+    starts = np.concatenate([[0], offsets[:-1]])[np.isin(types, (12, 72))]
+    return connectivity[starts[:, None] + np.arange(8)]
+
+
+def faces_of_hexahedra(cells):
+    return np.concatenate([cells[:, list(corners)] for corners in HEXAHEDRON])
+
+
 def merged_points(points):
     """For each point the number of its place: equal where points coincide."""
     extent = float(np.ptp(points, axis=0).max()) or 1.
@@ -160,12 +172,42 @@ def merged_points(points):
     return np.unique(rounded, axis=0, return_inverse=True)[1].ravel()
 
 
+def found_at(points, wanted):
+    """For each wanted place the number of a point there, or -1."""
+    reach = 1e-5 * (float(np.ptp(points, axis=0).max()) or 1.)
+    result = np.full(len(wanted), -1)
+    for shift in (0.1, 0.6):  # places at the edge of a box are not at both
+        boxes = np.floor(np.concatenate([points, wanted]) / reach + shift)
+        _, first, inverse = np.unique(boxes.astype(np.int64), axis=0,
+                                      return_index=True, return_inverse=True)
+        match = first[inverse.ravel()[len(points):]]
+        result = np.where((result < 0) & (match < len(points)), match, result)
+    return result
+
+
 def outer_faces(points, faces):
-    """The faces that belong to one cell only."""
-    corners = np.sort(merged_points(points)[faces], axis=1)
+    """The faces that belong to one cell only, without those between a cell and
+    its refined neighbour."""
+    place = merged_points(points)
+    corners = np.sort(place[faces], axis=1)
     _, inverse, count = np.unique(corners, axis=0, return_inverse=True,
                                   return_counts=True)
-    return faces[count[inverse.ravel()] == 1]
+    faces = faces[count[inverse.ravel()] == 1]
+    # a face with a node in its middle is the coarse side: four faces opposite
+    used = np.unique(faces)
+    middle = found_at(points[used], points[faces].mean(axis=1))
+    chosen = (middle >= 0) & (faces[:, 2] != faces[:, 3])
+    coarse, middle = faces[chosen], place[used[middle[chosen]]]
+    ends = points[coarse]
+    halves = found_at(points[used], (0.5 * (ends + np.roll(ends, -1, axis=1)))
+                      .reshape(-1, 3))
+    halves = np.where(halves >= 0, place[used[halves]], -1).reshape(-1, 4)
+    inner = [place[coarse]] + [
+        np.stack([place[coarse[:, k]], halves[:, k], middle, halves[:, k - 1]],
+                 axis=1) for k in range(4)]
+    inner = set(map(tuple, np.sort(np.concatenate(inner), axis=1).tolist()))
+    keys = np.sort(place[faces], axis=1).tolist()
+    return faces[[tuple(key) not in inner for key in keys]]
 
 
 def read_fields(path, names):
@@ -187,11 +229,12 @@ def read_fields(path, names):
         raise FieldError("%s cannot be read (%s)" % (os.path.basename(path), error))
     if not pieces:
         raise FieldError("%s holds no cells" % os.path.basename(path))
-    shift, points, faces, volume = 0, [], [], False
+    shift, points, faces, cells, volume = 0, [], [], [], False
     for piece_points, connectivity, offsets, types, _ in pieces:
         piece_faces, is_volume = faces_of(connectivity, offsets, types)
         points.append(piece_points)
         faces.append(piece_faces + shift)
+        cells.append(hexahedra_of(connectivity, offsets, types) + shift)
         shift += len(piece_points)
         volume = volume or is_volume
     points, faces = np.concatenate(points), np.concatenate(faces)
@@ -202,4 +245,4 @@ def read_fields(path, names):
     if not len(faces):
         raise FieldError("%s holds no cells that can be drawn"
                          % os.path.basename(path))
-    return Fields(points, faces, data)
+    return Fields(points, faces, data, np.concatenate(cells))

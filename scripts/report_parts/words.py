@@ -144,7 +144,8 @@ def key_figures(results, force):
         crack = str(summary["outcome"])
         start = summary.get("outcome_start")
         figures.append(("Crack", crack[0].upper() + crack[1:],
-                        "starts at: %s" % start if start else ""))
+                        "starts at: %s" % start
+                        if start and start != crack else ""))
     dofs = last_known(results, "dofs")
     if dofs is not None:
         cells = last_known(results, "cells")

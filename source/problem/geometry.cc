@@ -55,8 +55,11 @@ namespace MixedCracks
        {"box",
         "a box between two corners",
         [] { return std::make_unique<Rectangle<3>>(); }},
-       {"L-shape", "the L-shape of 2-d, of the thickness of the material", [] {
-          return std::make_unique<LShape<3>>();
+       {"L-shape",
+        "the L-shape of 2-d, of the thickness of the material",
+        [] { return std::make_unique<LShape<3>>(); }},
+       {"mesh file", "a mesh of hexahedra from a Gmsh, Abaqus or UCD file", [] {
+          return std::make_unique<MeshFile<3>>();
         }}});
     return geometries;
   }

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 """Bad inputs about the dimension and in 3-d, as in bad_inputs.py."""
-from bad_inputs import entry, several, value
+from bad_inputs import SQUARE, TRIANGLES, entry, several, value
 
 IN_3D = ("Geometry/Dimension", "3")
 HELD = {"Boundary conditions/Displacement": "top : all : 0 ; bottom : all : t"}
@@ -13,6 +13,38 @@ def box(name, pairs, *says, **more):
                    [IN_3D, ("Geometry/Name", "box")] + settings, *says, **more)
 
 
+CUBE = b"""$MeshFormat
+2.2 0 8
+$EndMeshFormat
+$Nodes
+8
+1 0 0 0
+2 1 0 0
+3 1 1 0
+4 0 1 0
+5 0 0 1
+6 1 0 1
+7 1 1 1
+8 0 1 1
+$EndNodes
+$Elements
+3
+1 3 2 1 1 1 2 6 5
+2 3 2 3 3 3 4 8 7
+3 5 2 7 7 1 2 3 4 5 6 7 8
+$EndElements
+"""
+
+
+def mesh(name, content, *says, more=(), names_file=True):
+    """A bad mesh file in 3-d."""
+    return dict(name="mesh file in 3-d: " + name, files={"bad.msh": content}, set=[
+        "Geometry/Dimension=3", "Geometry/Name=mesh file",
+        "Geometry/Mesh file/File name=bad.msh",
+        "Geometry/Mesh file/Boundary names=1 = bottom ; 3 = top"] + list(more),
+        says=("Geometry/Mesh file/",) + (("bad.msh",) if names_file else ()) + says)
+
+
 CASES = [
     value("Geometry/Dimension", "4", "'4'", "2", "3"),
     value("Geometry/Dimension", "", "no value"),
@@ -21,8 +53,20 @@ CASES = [
     entry("Geometry/Name", "slit cube", "'slit cube'", "in 3-d only"),
     several("rectangle in 3-d", [IN_3D, ("Geometry/Name", "rectangle")],
             "Geometry/Name", "'rectangle'", "in 2-d only", "slit cube, box"),
-    several("mesh file in 3-d", [IN_3D, ("Geometry/Name", "mesh file")],
-            "Geometry/Name", "'mesh file'", "in 2-d only"),
+    mesh("of the plane", SQUARE, "Geometry/Dimension is 3", "quadrilaterals"),
+    mesh("triangles", TRIANGLES, "triangles", "eight-node hexahedra"),
+    mesh("cut off", CUBE[:180]),
+    mesh("twisted cell", CUBE.replace(b"1 2 3 4 5 6 7 8", b"1 3 2 4 5 6 7 8"),
+         "degenerate or twisted"),
+    mesh("missing node", CUBE.replace(b"1 2 3 4 5 6 7 8", b"1 2 3 4 5 6 7 9"),
+         "does not list"),
+    mesh("a circle in the plane of a line", CUBE, "cylinder", "sphere",
+         more=["Geometry/Mesh file/Circles=bottom : 0 : 1"], names_file=False),
+    several("a mesh of hexahedra in 2-d", [
+        ("Geometry/Name", "mesh file"), ("Geometry/Mesh file/File name", "bad.msh"),
+        ("Geometry/Mesh file/Boundary names", "1 = bottom ; 3 = top")],
+        "Geometry/Mesh file/File name", "Geometry/Dimension is 2", "hexahedra",
+        files={"bad.msh": CUBE}),
     several("a strip of many cells", [
         IN_3D, ("Geometry/Punctured strip/Thickness cells", "1000000")],
         "Punctured strip/Thickness cells", "1000000", "at most"),

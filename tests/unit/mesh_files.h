@@ -19,10 +19,11 @@ namespace GeometryTests
     std::string circles;
   };
 
-  inline std::unique_ptr<Geometry<2>>
+  template <int dim = 2>
+  std::unique_ptr<Geometry<dim>>
   mesh_file(const FileEntries &entries)
   {
-    auto                     geometry = all_geometries<2>().make("mesh file");
+    auto                     geometry = all_geometries<dim>().make("mesh file");
     dealii::ParameterHandler prm;
     geometry->add_parameters(prm);
     prm.set("File name", entries.file_name);

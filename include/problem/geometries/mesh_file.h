@@ -6,10 +6,11 @@
 
 namespace MixedCracks
 {
-  /// A mesh of quadrilaterals from a file: Gmsh (.msh), Abaqus (.inp) or UCD
-  /// (.inp, .ucd), told apart by content. The ids of boundaries (Gmsh:
-  /// physical curves; Abaqus: surfaces named SS1, SS2, …; UCD: materials of
-  /// lines) get their names in the .prm; material ids are kept.
+  /// A mesh of quadrilaterals, in 3-d of hexahedra, from a file: Gmsh (.msh),
+  /// Abaqus (.inp) or UCD (.inp, .ucd), told apart by content. The ids of
+  /// boundaries (Gmsh: physical curves or surfaces; Abaqus: surfaces named SS1,
+  /// SS2, …; UCD: materials of lines or quadrilaterals) get their names in the
+  /// .prm; material ids are kept.
   template <int dim>
   class MeshFile : public Geometry<dim>
   {
@@ -29,14 +30,21 @@ namespace MixedCracks
     void create(dealii::Triangulation<dim> &triangulation) const override;
 
   private:
-    /// A boundary that is part of a circle.
+    /// A boundary that is part of a circle; in 3-d of a sphere, or of a
+    /// cylinder along z.
     struct Circle
     {
       dealii::types::boundary_id boundary;
       std::string                name;
       dealii::Point<dim>         center;
       double                     radius;
+      bool                       is_cylinder;
+
+      double distance(const dealii::Point<dim> &point) const;
     };
+
+    std::unique_ptr<dealii::Manifold<dim, dim>>
+    manifold(const Circle &circle) const;
 
     std::vector<Circle> parsed_circles() const;
 

@@ -16,9 +16,9 @@ namespace MixedCracks
                              MPI_Comm           communicator,
                              const std::string &parameter);
 
-  /// Read a mesh of quadrilaterals from the @p text of a file into an empty
-  /// serial triangulation. Returns why that is impossible, as the end of a
-  /// sentence that begins "the file"; empty when it worked.
+  /// Read a mesh of quadrilaterals or hexahedra from the @p text of a file into
+  /// an empty serial triangulation. Returns why that is impossible, as the end
+  /// of a sentence that begins "the file"; empty when it worked.
   template <int dim>
   std::string read_mesh(const std::string          &text,
                         dealii::Triangulation<dim> &triangulation);

@@ -24,8 +24,8 @@ namespace MixedCracks
     std::string problem;
   };
 
-  /// @p text: the whole file.
-  MeshScan scan_mesh(const std::string &text);
+  /// @p text: the whole file; @p dim: the dimension it is read for.
+  MeshScan scan_mesh(const std::string &text, int dim);
 } // namespace MixedCracks
 
 #endif

@@ -24,15 +24,32 @@ namespace MixedCracks
     /// @p kind: "node", "element", ….
     std::string broken_line(const std::string &kind, const std::string &line);
 
+    /// The cells of a dimension, by the names and numbers of the formats.
+    struct CellKind
+    {
+      int          dim;
+      std::string  name;      ///< "quadrilaterals"
+      unsigned int n_nodes;   ///< of a cell
+      int          gmsh_type; ///< of Gmsh's list of elements
+      std::string  ucd_type;
+      char         last_side; ///< of Abaqus' S1, S2, …: its digit
+    };
+
+    CellKind cell_kind(int dim);
+
     /// @p found: "triangles", ….
-    std::string unusable_element(const std::string &found);
+    std::string unusable_element(const std::string &found,
+                                 const CellKind    &kind);
 
-    std::string gmsh_problem(const Lines &lines);
+    /// A mesh of the other dimension; @p found as above.
+    std::string other_dimension(const std::string &found, const CellKind &kind);
 
-    std::string abaqus_problem(const Lines &lines);
+    std::string gmsh_problem(const Lines &lines, const CellKind &kind);
+
+    std::string abaqus_problem(const Lines &lines, const CellKind &kind);
 
     /// Needs a first line of five numbers, and no comments.
-    std::string ucd_problem(const Lines &lines);
+    std::string ucd_problem(const Lines &lines, const CellKind &kind);
   } // namespace MeshScanning
 } // namespace MixedCracks
 

@@ -38,22 +38,25 @@ namespace MixedCracks
     prm.add_parameter("File name",
                       file_name,
                       "Gmsh .msh (version 2 or 4, ASCII), Abaqus .inp or UCD "
-                      "mesh of four-node quadrilaterals; lengths in mm. A "
-                      "relative path starts at the working directory.",
+                      "mesh of four-node quadrilaterals, in 3-d of eight-node "
+                      "hexahedra; lengths in mm. A relative path starts at the "
+                      "working directory.",
                       Anything());
     prm.add_parameter("Boundary names",
                       boundary_names,
                       "Names for the boundary ids of the file, as in '1 = "
                       "bottom ; 2 = top'. Boundary ids are Gmsh's physical "
-                      "curves, the numbers of Abaqus surfaces named SS1, SS2, "
-                      "..., or the materials of UCD lines; the rest of the "
-                      "boundary has the id 0.",
+                      "curves, in 3-d surfaces, the numbers of Abaqus surfaces "
+                      "named SS1, SS2, ..., or the materials of UCD lines, in "
+                      "3-d quadrilaterals; the rest of the boundary has the "
+                      "id 0.",
                       Anything());
     prm.add_parameter("Circles",
                       circles,
                       "Boundaries that are (parts of) circles, so that "
                       "refinement puts new nodes on them: 'name : x, y : "
-                      "radius ; ...'; mm.",
+                      "radius ; ...'; mm. In 3-d this is a cylinder along z, "
+                      "and 'name : x, y, z : radius' a sphere.",
                       Anything());
   }
 
@@ -117,16 +120,15 @@ namespace MixedCracks
       require(id != ids.end(),
               parameter + ": " + unknown_name_message(parts[0], names));
       const std::vector<double> center = parse_numbers(parts[1], parameter);
-      require(center.size() == dim,
-              parameter + ": the centre " + in_quotes(parts[1]) + " needs " +
-                std::to_string(dim) + " numbers.");
+      require(center.size() == 2 || center.size() == dim,
+              parameter + ": the centre " + in_quotes(parts[1]) + " needs 2" +
+                (dim == 3 ? " (cylinder) or 3 (sphere)" : "") + " numbers.");
       const double radius = parse_number(parts[2], parameter);
       require(radius > 0.,
               parameter + ": the radius " + in_quotes(parts[2]) +
                 " must be greater than 0.");
-      Circle circle = {id->second, id->first, {}, radius};
-      for (unsigned int d = 0; d < dim; ++d)
-        circle.center[d] = center[d];
+      Circle circle = {id->second, id->first, {}, radius, center.size() < dim};
+      std::copy(center.begin(), center.end(), circle.center.begin_raw());
       result.push_back(circle);
     }
     return result;
@@ -200,20 +202,45 @@ namespace MixedCracks
           continue;
         for (const unsigned int v : face->vertex_indices())
         {
-          const double distance = face->vertex(v).distance(circle.center);
+          const double distance = circle.distance(face->vertex(v));
           require(std::abs(distance - circle.radius) < 1e-3 * circle.radius,
                   subsection + "Circles: a node of the boundary '" +
                     circle.name + "' is " + number_text(distance) +
-                    " mm from the centre, not " + number_text(circle.radius) +
-                    " mm.");
+                    " mm from the " + (circle.is_cylinder ? "axis" : "centre") +
+                    ", not " + number_text(circle.radius) + " mm.");
         }
-        face->set_manifold_id(id);
+        face->set_all_manifold_ids(id); // in 3-d of its edges, too
       }
-    triangulation.set_manifold(id,
-                               dealii::SphericalManifold<dim>(circle.center));
+    triangulation.set_manifold(id, *manifold(circle));
+  }
+
+
+
+  template <int dim>
+  double
+  MeshFile<dim>::Circle::distance(const dealii::Point<dim> &point) const
+  {
+    dealii::Tensor<1, dim> from_center = point - center;
+    if (is_cylinder)
+      from_center[dim - 1] = 0.;
+    return from_center.norm();
+  }
+
+
+
+  template <int dim>
+  std::unique_ptr<dealii::Manifold<dim, dim>>
+  MeshFile<dim>::manifold(const Circle &circle) const
+  {
+    if constexpr (dim == 3)
+      if (circle.is_cylinder)
+        return std::make_unique<dealii::CylindricalManifold<dim>>(
+          dealii::Tensor<1, dim>({0., 0., 1.}), circle.center);
+    return std::make_unique<dealii::SphericalManifold<dim>>(circle.center);
   }
 
 
 
   template class MeshFile<2>;
+  template class MeshFile<3>;
 } // namespace MixedCracks

@@ -46,6 +46,8 @@ namespace MixedCracks
         return "has cells with nodes that it does not list";
       if (is_about("InteriorLine"))
         return "gives a boundary id to a line inside the domain";
+      if (is_about("internal face")) // a message, not a name
+        return "gives a boundary id to a line or face inside the domain";
       if (is_about("Degenerate") || is_about("Distorted") ||
           is_about("NegativeMeasure"))
         return "has degenerate or twisted cells";
@@ -121,7 +123,7 @@ namespace MixedCracks
   std::string
   read_mesh(const std::string &text, dealii::Triangulation<dim> &triangulation)
   {
-    const MeshScan scan = scan_mesh(text);
+    const MeshScan scan = scan_mesh(text, dim);
     if (!scan.problem.empty())
       return scan.problem;
 
@@ -159,4 +161,6 @@ namespace MixedCracks
 
   template std::string read_mesh(const std::string &,
                                  dealii::Triangulation<2> &);
+  template std::string read_mesh(const std::string &,
+                                 dealii::Triangulation<3> &);
 } // namespace MixedCracks

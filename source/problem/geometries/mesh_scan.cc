@@ -49,12 +49,37 @@ namespace MixedCracks
 
 
 
+    CellKind
+    cell_kind(const int dim)
+    {
+      if (dim == 2)
+        return {2, "quadrilaterals", 4, 3, "quad", '4'};
+      return {3, "hexahedra", 8, 5, "hex", '6'};
+    }
+
+
+
     std::string
-    unusable_element(const std::string &found)
+    unusable_element(const std::string &found, const CellKind &kind)
     {
       return "has " + found +
-             "; only meshes of four-node quadrilaterals are read (in Gmsh: "
-             "recombine, first order, two-dimensional)";
+             (kind.dim == 2
+                ? "; only meshes of four-node quadrilaterals are read (in Gmsh: "
+                  "recombine, first order, two-dimensional)"
+                : "; only meshes of eight-node hexahedra are read (in Gmsh: "
+                  "transfinite volumes or extruded layers, recombined, first "
+                  "order)");
+    }
+
+
+
+    std::string
+    other_dimension(const std::string &found, const CellKind &kind)
+    {
+      return "has " + found + ", but Geometry/Dimension is " +
+             std::to_string(kind.dim) + ": the mesh is one of " +
+             (kind.dim == 2 ? "three-dimensional cells"
+                            : "quadrilaterals, for 2-d");
     }
   } // namespace MeshScanning
 
@@ -83,18 +108,19 @@ namespace MixedCracks
 
 
   MeshScan
-  scan_mesh(const std::string &text)
+  scan_mesh(const std::string &text, const int dim)
   {
     using namespace MeshScanning;
-    Lines lines = split_list(text, '\n');
+    const CellKind kind  = cell_kind(dim);
+    Lines          lines = split_list(text, '\n');
     if (lines.empty())
       return {MeshScan::unknown, "is empty"};
     if (starts_with(lines.front(), "$") && !is_binary(text.substr(0, 40)))
-      return {MeshScan::gmsh, gmsh_problem(lines)};
+      return {MeshScan::gmsh, gmsh_problem(lines, kind)};
     if (is_binary(text))
       return {MeshScan::unknown, "is binary, not text"};
     if (starts_with(lines.front(), "*"))
-      return {MeshScan::abaqus, abaqus_problem(lines)};
+      return {MeshScan::abaqus, abaqus_problem(lines, kind)};
 
     lines.erase(
       std::remove_if(lines.begin(),
@@ -102,7 +128,7 @@ namespace MixedCracks
                      [](const std::string &line) { return line[0] == '#'; }),
       lines.end());
     if (!lines.empty() && numbers_of(lines.front()).size() == 5)
-      return {MeshScan::ucd, ucd_problem(lines)};
+      return {MeshScan::ucd, ucd_problem(lines, kind)};
     return {MeshScan::unknown,
             "is neither a Gmsh (.msh), an Abaqus (.inp) nor a UCD file"};
   }

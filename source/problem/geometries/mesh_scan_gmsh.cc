@@ -3,6 +3,7 @@
 #include <problem/geometries/mesh_scan_formats.h>
 
 #include <algorithm>
+#include <map>
 
 namespace MixedCracks
 {
@@ -10,11 +11,32 @@ namespace MixedCracks
   {
     namespace
     {
-      // What is wrong with a Gmsh element type; empty for quadrilaterals and
-      // for the lines and points that mark boundaries
-      std::string
-      gmsh_type_problem(const int type)
+      // Nodes of those elements that are cells or mark boundaries, by type
+      unsigned int
+      gmsh_n_nodes(const int type)
       {
+        switch (type)
+        {
+          case 1:
+            return 2;
+          case 3:
+            return 4;
+          case 5:
+            return 8;
+          default:
+            return 1;
+        }
+      }
+
+
+
+      // What is wrong with a Gmsh element type; empty for the cells of the
+      // dimension and for what marks boundaries
+      std::string
+      gmsh_type_problem(const int type, const CellKind &kind)
+      {
+        const char *solids[] = {
+          "tetrahedra", "hexahedra", "prisms", "pyramids"};
         switch (type)
         {
           case 1:
@@ -22,16 +44,34 @@ namespace MixedCracks
           case 15:
             return "";
           case 2:
-            return unusable_element("triangles");
+            return unusable_element("triangles", kind);
           case 4:
           case 5:
           case 6:
           case 7:
-            return unusable_element("three-dimensional cells");
+            if (type == kind.gmsh_type)
+              return "";
+            return kind.dim == 2 ? other_dimension(solids[type - 4], kind)
+                                 : unusable_element(solids[type - 4], kind);
           default:
-            return unusable_element("elements of Gmsh's type " +
-                                    std::to_string(type));
+            return unusable_element(
+              "elements of Gmsh's type " + std::to_string(type), kind);
         }
+      }
+
+
+
+      // What is wrong with the numbers of elements by type
+      std::string
+      gmsh_counts_problem(std::map<int, std::size_t> &n_elements,
+                          const CellKind             &kind)
+      {
+        if (n_elements[kind.gmsh_type] > 0)
+          return "";
+        const std::string nothing = "no " + kind.name;
+        return kind.dim == 3 && n_elements[3] > 0
+                 ? other_dimension(nothing, kind)
+                 : unusable_element(nothing, kind);
       }
 
 
@@ -57,26 +97,27 @@ namespace MixedCracks
       // Version 2: after the number of elements, a line for each: number, type,
       // number of tags, tags, nodes
       std::string
-      gmsh2_elements_problem(const Lines &section, int &n_quadrilaterals)
+      gmsh2_elements_problem(const Lines &section, const CellKind &kind)
       {
         if (numbers_of(section.front())[0] != double(section.size() - 1))
           return "says it has " + section.front() + " elements but lists " +
                  std::to_string(section.size() - 1);
+        std::map<int, std::size_t> n_elements;
         for (std::size_t i = 1; i < section.size(); ++i)
         {
           const std::vector<long int> entry = integers_of(section[i]);
           if (entry.size() < 4)
             return broken_line("element", section[i]);
           const int         type    = static_cast<int>(entry[1]);
-          const std::string problem = gmsh_type_problem(type);
+          const std::string problem = gmsh_type_problem(type, kind);
           if (!problem.empty())
             return problem;
-          const long int n_nodes = type == 3 ? 4 : (type == 1 ? 2 : 1);
-          if (static_cast<long int>(entry.size()) != 3 + entry[2] + n_nodes)
+          if (static_cast<long int>(entry.size()) !=
+              3 + entry[2] + gmsh_n_nodes(type))
             return broken_line("element", section[i]);
-          n_quadrilaterals += type == 3;
+          ++n_elements[type];
         }
-        return "";
+        return gmsh_counts_problem(n_elements, kind);
       }
 
 
@@ -84,9 +125,10 @@ namespace MixedCracks
       // Version 4: a head, then blocks: two of entity's dimension and tag,
       // type, number of elements; and a line for each element: number, nodes
       std::string
-      gmsh4_elements_problem(const Lines &section, int &n_quadrilaterals)
+      gmsh4_elements_problem(const Lines &section, const CellKind &kind)
       {
-        std::size_t i = 1;
+        std::map<int, std::size_t> n_elements;
+        std::size_t                i = 1;
         while (i < section.size())
         {
           const std::vector<long int> block = integers_of(section[i]);
@@ -94,18 +136,17 @@ namespace MixedCracks
               block[3] > static_cast<long int>(section.size() - i - 1))
             return broken_line("block of elements", section[i]);
           const int         type    = static_cast<int>(block[2]);
-          const std::string problem = gmsh_type_problem(type);
+          const std::string problem = gmsh_type_problem(type, kind);
           if (!problem.empty())
             return problem;
-          const std::size_t n_nodes    = type == 3 ? 4 : (type == 1 ? 2 : 1);
-          const std::size_t n_elements = static_cast<std::size_t>(block[3]);
-          for (std::size_t e = 1; e <= n_elements; ++e)
-            if (integers_of(section[i + e]).size() != 1 + n_nodes)
+          const std::size_t n_in_block = static_cast<std::size_t>(block[3]);
+          for (std::size_t e = 1; e <= n_in_block; ++e)
+            if (integers_of(section[i + e]).size() != 1 + gmsh_n_nodes(type))
               return broken_line("element", section[i + e]);
-          n_quadrilaterals += type == 3 ? static_cast<int>(n_elements) : 0;
-          i += n_elements + 1;
+          n_elements[type] += n_in_block;
+          i += n_in_block + 1;
         }
-        return "";
+        return gmsh_counts_problem(n_elements, kind);
       }
 
 
@@ -134,7 +175,7 @@ namespace MixedCracks
 
 
     std::string
-    gmsh_problem(const Lines &lines)
+    gmsh_problem(const Lines &lines, const CellKind &kind)
     {
       Lines       format, nodes, elements;
       std::string problem = gmsh_section(lines, "MeshFormat", format);
@@ -156,13 +197,8 @@ namespace MixedCracks
         problem = gmsh_nodes_problem(nodes, is_version_4);
       if (!problem.empty())
         return problem;
-      int n_quadrilaterals = 0;
-      problem              = is_version_4
-                               ? gmsh4_elements_problem(elements, n_quadrilaterals)
-                               : gmsh2_elements_problem(elements, n_quadrilaterals);
-      if (problem.empty() && n_quadrilaterals == 0)
-        problem = unusable_element("no quadrilaterals");
-      return problem;
+      return is_version_4 ? gmsh4_elements_problem(elements, kind)
+                          : gmsh2_elements_problem(elements, kind);
     }
   } // namespace MeshScanning
 } // namespace MixedCracks

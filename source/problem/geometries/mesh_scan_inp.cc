@@ -39,6 +39,8 @@ namespace MixedCracks
       // elements of surfaces and sets by their position, unchecked.
       struct AbaqusContents
       {
+        const CellKind        kind;
+        bool                  solid = false; // the last *ELEMENT: of 3-d
         std::set<long int>    nodes;
         std::vector<long int> elements;
         std::vector<long int> used_elements; // by surfaces and sets
@@ -46,11 +48,30 @@ namespace MixedCracks
 
 
 
+      // What is wrong with elements of that many nodes
+      std::string
+      abaqus_nodes_problem(const std::size_t     n_nodes,
+                           const AbaqusContents &contents)
+      {
+        if (n_nodes == contents.kind.n_nodes)
+          return "";
+        if (contents.kind.dim == 3 && !contents.solid && n_nodes == 4)
+          return other_dimension("quadrilaterals", contents.kind);
+        return unusable_element(n_nodes == 3 ? "triangles"
+                                : contents.solid && n_nodes == 4
+                                  ? "tetrahedra"
+                                  : "elements of " + std::to_string(n_nodes) +
+                                      " nodes",
+                                contents.kind);
+      }
+
+
+
       std::string
       add_abaqus_node(const std::string &line, AbaqusContents &contents)
       {
         const std::vector<double> node = numbers_of(without_commas(line));
-        if (node.size() < 3 || !(std::abs(node[0]) < 1e9))
+        if (node.size() < 1u + contents.kind.dim || !(std::abs(node[0]) < 1e9))
           return broken_line("node", line);
         contents.nodes.insert(std::lround(node[0]));
         return "";
@@ -64,11 +85,10 @@ namespace MixedCracks
         const std::vector<long int> entry = integers_of(without_commas(line));
         if (entry.size() < 2)
           return broken_line("element", line);
-        if (entry.size() != 5)
-          return unusable_element(
-            entry.size() == 4
-              ? "triangles"
-              : "elements of " + std::to_string(entry.size() - 1) + " nodes");
+        const std::string problem =
+          abaqus_nodes_problem(entry.size() - 1, contents);
+        if (!problem.empty())
+          return problem;
         for (std::size_t i = 1; i < entry.size(); ++i)
           if (contents.nodes.count(entry[i]) == 0)
             return "has cells with nodes that it does not list: " +
@@ -79,14 +99,14 @@ namespace MixedCracks
 
 
 
-      // An element and one of its sides, S1 to S4; or a set of elements
+      // An element and one of its sides, S1 to S4 or S6; or a set of elements
       std::string
       add_abaqus_side(const std::string &line, AbaqusContents &contents)
       {
         const std::vector<std::string> parts = split_list(line, ',');
         if (parts.size() != 2 || parts[1].size() != 2 ||
             std::toupper(static_cast<unsigned char>(parts[1][0])) != 'S' ||
-            parts[1][1] < '1' || parts[1][1] > '4')
+            parts[1][1] < '1' || parts[1][1] > contents.kind.last_side)
           return broken_line("side in a *SURFACE", line);
         const std::vector<long int> element = integers_of(parts[0]);
         if (!element.empty())
@@ -137,19 +157,25 @@ namespace MixedCracks
 
 
       std::string
-      ucd_cell_problem(const std::string &line, int &n_quadrilaterals)
+      ucd_cell_problem(const std::string          &line,
+                       const CellKind             &kind,
+                       std::map<std::string, int> &n_cells)
       {
         std::istringstream in(line);
         long int           number, material;
         std::string        type, rest;
         if (!(in >> number >> material >> type) || material < 0)
           return broken_line("cell", line);
-        if (type != "line" && type != "quad")
-          return unusable_element("cells of the type " + in_quotes(type));
+        if (type == "hex" && kind.dim == 2)
+          return other_dimension("hexahedra", kind);
+        if (type != "line" && type != "quad" && type != "hex")
+          return unusable_element("cells of the type " + in_quotes(type), kind);
         std::getline(in, rest);
-        if (integers_of(rest).size() != (type == "quad" ? 4 : 2))
+        if (integers_of(rest).size() != (type == "hex"    ? 8
+                                         : type == "quad" ? 4
+                                                          : 2))
           return broken_line("cell", line);
-        n_quadrilaterals += type == "quad";
+        ++n_cells[type];
         return "";
       }
     } // namespace
@@ -157,7 +183,7 @@ namespace MixedCracks
 
 
     std::string
-    abaqus_problem(const Lines &lines)
+    abaqus_problem(const Lines &lines, const CellKind &kind)
     {
       using Reader = std::string (*)(const std::string &, AbaqusContents &);
       const std::map<std::string, Reader> readers = {
@@ -166,7 +192,7 @@ namespace MixedCracks
         {"*SURFACE", add_abaqus_side},
         {"*ELSET", add_abaqus_set}};
 
-      AbaqusContents contents;
+      AbaqusContents contents{kind, false, {}, {}, {}};
       std::string    keyword;
       for (const std::string &line : lines)
         if (line.compare(0, 2, "**") == 0)
@@ -175,8 +201,9 @@ namespace MixedCracks
         {
           const std::string whole = upper_case(line);
           keyword                 = split_list(whole, ',').front();
-          if (keyword == "*ELEMENT" && whole.find("C3D") != std::string::npos)
-            return unusable_element("three-dimensional cells");
+          contents.solid          = whole.find("C3D") != std::string::npos;
+          if (keyword == "*ELEMENT" && contents.solid && kind.dim == 2)
+            return other_dimension("elements C3D", kind);
         }
         else if (const auto reader = readers.find(keyword);
                  reader != readers.end())
@@ -191,7 +218,7 @@ namespace MixedCracks
 
 
     std::string
-    ucd_problem(const Lines &lines)
+    ucd_problem(const Lines &lines, const CellKind &kind)
     {
       const std::vector<double> head = numbers_of(lines.front());
       if (!(head[0] > 0. && head[1] > 0.) ||
@@ -204,15 +231,18 @@ namespace MixedCracks
       for (std::size_t i = 1; i <= n_nodes; ++i)
         if (numbers_of(lines[i]).size() != 4)
           return broken_line("node", lines[i]);
-      int n_quadrilaterals = 0;
+      std::map<std::string, int> n_by_type;
       for (std::size_t i = n_nodes + 1; i <= n_nodes + n_cells; ++i)
       {
-        const std::string problem =
-          ucd_cell_problem(lines[i], n_quadrilaterals);
+        const std::string problem = ucd_cell_problem(lines[i], kind, n_by_type);
         if (!problem.empty())
           return problem;
       }
-      return n_quadrilaterals == 0 ? unusable_element("no quadrilaterals") : "";
+      if (n_by_type[kind.ucd_type] > 0)
+        return "";
+      const std::string nothing = "no " + kind.name;
+      return n_by_type["quad"] > 0 ? other_dimension(nothing, kind)
+                                   : unusable_element(nothing, kind);
     }
   } // namespace MeshScanning
 } // namespace MixedCracks

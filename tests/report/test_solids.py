@@ -1,0 +1,141 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""Surfaces, sections and edges of bodies in 3-d against exact measures."""
+import os
+import sys
+import unittest
+
+HERE = os.path.dirname(os.path.abspath(__file__))
+sys.path.insert(0, os.path.join(HERE, "..", "..", "scripts"))
+from report_parts import interpreter  # noqa: E402
+
+if __name__ == "__main__":
+    interpreter.use_one_with_matplotlib()
+
+import matplotlib  # noqa: E402
+import numpy as np  # noqa: E402
+matplotlib.use("Agg")
+from report_parts import solids, surfaces, vtu  # noqa: E402
+
+CORNERS = np.array([(0, 0, 0), (1, 0, 0), (1, 1, 0), (0, 1, 0),
+                    (0, 0, 1), (1, 0, 1), (1, 1, 1), (0, 1, 1)], float)
+
+
+def cubes(places):
+    """Cells of (corner, size), their points not shared, as deal.II writes."""
+    points = np.concatenate([np.array(corner) + size * CORNERS
+                             for corner, size in places])
+    cells = np.arange(len(points)).reshape(-1, 8)
+    return points, cells, vtu.outer_faces(points, vtu.faces_of_hexahedra(cells))
+
+
+def grid(n):
+    """The unit cube of n^3 cells."""
+    return cubes([((i / n, j / n, k / n), 1. / n)
+                  for i in range(n) for j in range(n) for k in range(n)])
+
+
+def refined():
+    """Two unit cubes side by side, one of them of eight."""
+    return cubes([((0., 0., 0.), 1.)]
+                 + [((1. + 0.5 * i, 0.5 * j, 0.5 * k), 0.5)
+                    for i in range(2) for j in range(2) for k in range(2)])
+
+
+def area(triangles):
+    return 0.5 * np.linalg.norm(np.cross(triangles[:, 1] - triangles[:, 0],
+                                         triangles[:, 2] - triangles[:, 0]),
+                                axis=1).sum()
+
+
+class Surfaces(unittest.TestCase):
+    def test_sphere_converges(self):
+        errors = []
+        for n in (8, 16):
+            points, cells, _ = grid(n)
+            distance = np.linalg.norm(points - [0.5, 0.5, 0.5], axis=1)
+            triangles, values = surfaces.level_set(points, cells, distance, 0.35,
+                                                   points[:, 0])
+            errors.append(abs(area(triangles) / (4. * np.pi * 0.35**2) - 1.))
+            np.testing.assert_allclose(values, triangles[:, :, 0], atol=1e-12)
+        self.assertLess(errors[0], 0.05)
+        self.assertLess(errors[1], 0.3 * errors[0])
+
+    def test_plane_is_exact(self):
+        points, cells, _ = grid(3)
+        normal = np.array([1., 2., 2.]) / 3.
+        triangles, _ = surfaces.level_set(points, cells, points @ normal,
+                                          0.5 * normal.sum())
+        np.testing.assert_allclose(triangles @ normal, 0.5 * normal.sum(),
+                                   atol=1e-12)
+        # z = 1.25 - x/2 - y is above 1 in a triangle of 1/2 * 1/4 and below 0
+        # in another one: the rest, times the slope
+        self.assertAlmostEqual(area(triangles), (1. - 2. / 16.) * 1.5, places=10)
+
+    def test_section_through_nodes(self):
+        points, cells, _ = grid(4)
+        for position in (0., 0.3, 0.5, 1.):
+            triangles, values = surfaces.plane_section(points, cells, points[:, 1],
+                                                       2, position)
+            self.assertAlmostEqual(area(triangles), 1., places=8)
+            np.testing.assert_allclose(values, triangles[:, :, 1], atol=1e-9)
+
+    def test_outer_faces_beside_refined_cells(self):
+        _, _, faces = refined()
+        self.assertEqual(len(faces), 5 + 4 + 4 * 4)
+        self.assertEqual(len(grid(3)[2]), 6 * 9)
+
+    def test_edges_of_a_box(self):
+        for points, cells, faces in (grid(3), refined()):
+            normals = surfaces.normals_of(points, cells, faces)
+            edges = surfaces.feature_edges(points, faces, normals)
+            sizes = np.ptp(points, axis=0)
+            total = sum(np.linalg.norm(ends[1] - ends[0]) for ends, _ in edges)
+            self.assertAlmostEqual(total, 4. * sizes.sum(), places=9)
+
+    def test_normals_point_outwards(self):
+        points, cells, faces = refined()
+        normals = surfaces.normals_of(points, cells, faces)
+        outward = points[faces].mean(axis=1) - [1., 0.5, 0.5]
+        self.assertGreater(np.einsum("ij,ij->i", normals, outward).min(), 0.)
+
+    def test_caps(self):
+        points, _, faces = grid(4)
+        polygons = surfaces.caps(points, faces, points[:, 1], 0.3)
+        total = sum(area(np.array([(p[0], p[i], p[i + 1])
+                                   for i in range(1, len(p) - 1)]))
+                    for p in polygons)
+        self.assertAlmostEqual(total, 1. + 4. * 0.3, places=10)
+
+
+class Pictures(unittest.TestCase):
+    def setUp(self):
+        points, cells, faces = grid(4)
+        self.fields = vtu.Fields(points, faces, {
+            "phase_field": np.clip(4. * np.abs(points[:, 1] - 0.8), 0., 1.),
+            "displacement": 0.01 * points}, cells)
+
+    def test_all_are_drawn(self):
+        window = solids.common_window([self.fields.points])
+        for picture in (solids.crack_picture(self.fields),
+                        solids.mesh_picture(self.fields),
+                        solids.deformed_picture(self.fields, 5., window),
+                        solids.section_picture(self.fields, 0, 0.5)[0]):
+            self.assertEqual(picture[:4], b"\x89PNG")
+
+    def test_intact_and_broken_bodies(self):
+        for value in (0., 1.):
+            self.fields.data["phase_field"][:] = value
+            window = solids.common_window([self.fields.points])
+            solids.crack_picture(self.fields)
+            solids.deformed_picture(self.fields, 5., window)
+            self.assertEqual(len(solids.section_planes(self.fields)), 3)
+
+    def test_sections_go_where_the_crack_is(self):
+        planes = dict(solids.section_planes(self.fields))
+        self.assertAlmostEqual(planes[0], 0.5)
+        self.assertAlmostEqual(planes[1], 0.75)  # nodes at 3/4 are broken only
+
+
+if __name__ == "__main__":
+    unittest.main()
