@@ -6,6 +6,8 @@
     scripts/study.py cracks  SWEEP_DIR --output cracks.png
     scripts/study.py compare SWEEP_DIR peaks.csv --output peaks.md
     scripts/study.py paths   RUN_DIR OTHER_RUN_DIR
+    scripts/study.py picture RUN_DIR --output crack.png
+    scripts/study.py opening RUN_DIR --output opening.svg
 
 curves: force over displacement of all runs; runs whose names differ in the last
 word (fine_1, fine_2) share a colour. --reference takes CSV files with columns
@@ -19,6 +21,13 @@ name, displacement_mm, force_N_per_mm; lines with # are comments.
 
 paths: how far the crack paths of two runs lie apart at the end.
 
+picture: one field of a run (--field phase_field, displacement, displacement_y,
+pressure, stress_xx, ...) at the moment nearest to --time, or at the end;
+--deformed shows the deformed body without its broken cells, --window a part.
+
+opening: crack_opening.csv of the last step, beside exact values where --exact
+gives an expression in x, the position along the line (mm).
+
 Needs matplotlib and numpy (Debian: python3-matplotlib), and no display.
 Exit status: 0; 2 for wrong input or usage.
 """
@@ -30,82 +39,139 @@ sys.path.insert(0, os.path.dirname(os.path.realpath(__file__)))
 from report_parts import interpreter  # noqa: E402
 
 
+KINDS = (("curves", "force over displacement of all runs"),
+         ("cracks", "phase field at the end of every run"),
+         ("compare", "peaks beside reference values"),
+         ("paths", "distance between the crack paths of two runs"),
+         ("picture", "one field of a run"),
+         ("opening", "opening along the lines of a run"))
+SUFFIXES = {"curves": (".svg", ".png"), "cracks": (".png",), "picture": (".png",),
+            "opening": (".svg", ".png")}
+
+
+def deformation(text):
+    """'auto' or a factor."""
+    return text if text == "auto" else float(text)
+
+
+def add_sweep_arguments(parser, kind):
+    parser.add_argument("directory", metavar="SWEEP_DIR",
+                        help="directory that sweep.py wrote")
+    if kind == "compare":
+        parser.add_argument("reference", metavar="REFERENCE.csv")
+    parser.add_argument("--output", metavar="FILE", required=kind != "compare")
+    parser.add_argument("--only", nargs="+", metavar="NAME",
+                        help="these runs only; patterns are allowed")
+    if kind != "compare":
+        parser.add_argument("--title", default="")
+    if kind == "curves":
+        parser.add_argument("--per-thickness", action="store_true",
+                            help="force per mm of thickness")
+        parser.add_argument("--component", choices=("x", "y", "z"),
+                            help="this component of the force, also where others "
+                            "are as large")
+        parser.add_argument("--reference", nargs="+", default=[], metavar="CSV")
+    if kind == "cracks":
+        parser.add_argument("--columns", type=int, default=5, metavar="N")
+
+
+def add_run_arguments(parser, kind):
+    parser.add_argument("directory", metavar="RUN_DIR")
+    if kind == "paths":
+        parser.add_argument("other", metavar="OTHER_RUN_DIR")
+        return
+    parser.add_argument("--output", metavar="FILE", required=True)
+    if kind == "opening":
+        parser.add_argument("--exact", metavar="EXPRESSION",
+                            help="in x, as '2e-3*sqrt(1-x**2)'")
+        return
+    parser.add_argument("--field", default="phase_field", metavar="NAME")
+    parser.add_argument("--time", type=float, metavar="SECONDS")
+    parser.add_argument("--deformed", nargs="?", const="auto", type=deformation,
+                        metavar="FACTOR", help="by how much; without a number, so "
+                        "that it can be seen")
+    parser.add_argument("--window", nargs=4, type=float,
+                        metavar=("X0", "Y0", "X1", "Y1"))
+    parser.add_argument("--mesh", action="store_true", help="with its cells")
+    parser.add_argument("--pixels", type=int, default=480, metavar="N",
+                        help="longer side of the picture")
+
+
 def read_arguments():
     parser = argparse.ArgumentParser(
         description="Figures and tables of the runs of a sweep.")
     kinds = parser.add_subparsers(dest="kind", metavar="KIND", required=True)
-    all_kinds = {}
-    for kind, text in (("curves", "force over displacement of all runs"),
-                       ("cracks", "phase field at the end of every run"),
-                       ("compare", "peaks beside reference values"),
-                       ("paths", "distance between the crack paths of two runs")):
-        all_kinds[kind] = kinds.add_parser(kind, help=text, description=text)
-        if kind == "paths":
-            all_kinds[kind].add_argument("directory", metavar="RUN_DIR")
-            all_kinds[kind].add_argument("other", metavar="OTHER_RUN_DIR")
-            continue
-        all_kinds[kind].add_argument("directory", metavar="SWEEP_DIR",
-                                     help="directory that sweep.py wrote")
-        if kind == "compare":
-            all_kinds[kind].add_argument("reference", metavar="REFERENCE.csv")
-        all_kinds[kind].add_argument("--output", metavar="FILE",
-                                     required=kind != "compare")
-        all_kinds[kind].add_argument("--only", nargs="+", metavar="NAME",
-                                     help="these runs only; patterns are allowed")
-    for kind in ("curves", "cracks"):
-        all_kinds[kind].add_argument("--title", default="")
-    all_kinds["curves"].add_argument("--per-thickness", action="store_true",
-                                     help="force per mm of thickness")
-    all_kinds["curves"].add_argument("--component", choices=("x", "y", "z"),
-                                     help="this component of the force, also "
-                                     "where others are as large")
-    all_kinds["curves"].add_argument("--reference", nargs="+", default=[],
-                                     metavar="CSV")
-    all_kinds["cracks"].add_argument("--columns", type=int, default=5, metavar="N")
+    for kind, text in KINDS:
+        add = add_run_arguments if kind in ("paths", "picture", "opening") \
+            else add_sweep_arguments
+        add(kinds.add_parser(kind, help=text, description=text), kind)
     arguments = parser.parse_args()
-    suffixes = {"curves": (".svg", ".png"), "cracks": (".png",)}.get(arguments.kind)
+    suffixes = SUFFIXES.get(arguments.kind)
     if suffixes and not arguments.output.endswith(suffixes):
         parser.error("--output: expected a name that ends in %s, found '%s'"
                      % (" or ".join(suffixes), arguments.output))
-    if arguments.kind == "cracks" and arguments.columns < 1:
-        parser.error("--columns: expected a number of at least 1, found %d"
-                     % arguments.columns)
+    for name, least in (("columns", 1), ("pixels", 50)):
+        if getattr(arguments, name, least) < least:
+            parser.error("--%s: expected a number of at least %d, found %d"
+                         % (name, least, getattr(arguments, name)))
     return arguments
+
+
+def write_curves(runs, arguments):
+    from sweep_parts import study_curves
+    if arguments.component:
+        for run in runs:
+            run.choose_component(arguments.component)
+    study_curves.write(runs, arguments.output, arguments.title,
+                       arguments.per_thickness, arguments.reference)
+
+
+def table(runs, arguments):
+    """The text, where it goes to the screen."""
+    from sweep_parts import study_compare
+    text = study_compare.written(runs,
+                                 study_compare.read_peaks(arguments.reference))
+    if arguments.output is None:
+        return text
+    with open(arguments.output, "w", encoding="utf-8") as stream:
+        stream.write(text)
+    return None
+
+
+def written(arguments):
+    """What is asked for; the text for the screen, or None when it is a file."""
+    from sweep_parts import (studies, study_cracks, study_opening, study_paths,
+                             study_picture)
+    if arguments.kind == "paths":
+        return study_paths.written(arguments.directory, arguments.other)
+    if arguments.kind == "picture":
+        return study_picture.write(arguments.directory, arguments.output, arguments)
+    if arguments.kind == "opening":
+        return study_opening.write(arguments.directory, arguments.output,
+                                   arguments.exact)
+    runs = studies.runs_of(arguments.directory, arguments.only)
+    if arguments.kind == "curves":
+        return write_curves(runs, arguments)
+    if arguments.kind == "cracks":
+        return study_cracks.write(runs, arguments.output, arguments.columns,
+                                  arguments.title)
+    return table(runs, arguments)
 
 
 def main():
     arguments = read_arguments()
     import matplotlib
     matplotlib.use("Agg")
-    from sweep_parts import (studies, study_compare, study_cracks, study_curves,
-                             study_paths)
+    from sweep_parts import studies
     try:
-        if arguments.kind == "paths":
-            sys.stdout.write(study_paths.written(arguments.directory,
-                                                 arguments.other))
-            return 0
-        runs = studies.runs_of(arguments.directory, arguments.only)
-        if arguments.kind == "curves":
-            if arguments.component:
-                for run in runs:
-                    run.choose_component(arguments.component)
-            study_curves.write(runs, arguments.output, arguments.title,
-                               arguments.per_thickness, arguments.reference)
-        elif arguments.kind == "cracks":
-            study_cracks.write(runs, arguments.output, arguments.columns,
-                               arguments.title)
-        else:
-            text = study_compare.written(runs,
-                                         study_compare.read_peaks(arguments.reference))
-            if arguments.output is None:
-                sys.stdout.write(text)
-                return 0
-            with open(arguments.output, "w", encoding="utf-8") as stream:
-                stream.write(text)
+        text = written(arguments)
     except (studies.StudyError, OSError) as error:
         print("study.py: %s" % error, file=sys.stderr)
         return 2
-    print(arguments.output)
+    if text is None:
+        print(arguments.output)
+    else:
+        sys.stdout.write(text)
     return 0
 
 

@@ -10,7 +10,7 @@ namespace MixedCracks
 {
   /// "Subsection/Entry = value" lines of the entries that make up a case, and
   /// hence must not change when a run is resumed: all but those on load
-  /// steps, solvers and output.
+  /// steps, solvers and output, except for points that are watched.
   std::string case_signature(const dealii::ParameterHandler &prm);
 
   /// Throws InputError with the first difference when @p now is not the case

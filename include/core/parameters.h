@@ -4,6 +4,7 @@
 
 #include <output/crack_opening_parameters.h>
 #include <output/parameters.h>
+#include <output/point_displacement_parameters.h>
 
 #include <problem/boundary_conditions.h>
 #include <problem/fluid_parameters.h>
@@ -33,7 +34,8 @@ namespace MixedCracks
     SolverParameters        solver;
     OutputParameters        output;
 
-    CrackOpeningParameters<dim> crack_opening;
+    CrackOpeningParameters<dim>      crack_opening;
+    PointDisplacementParameters<dim> point_displacements;
 
     Parameters()                              = default;
     Parameters(const Parameters &)            = delete;

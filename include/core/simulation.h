@@ -16,6 +16,7 @@
 #include <output/crack_opening_file.h>
 #include <output/directory.h>
 #include <output/field_output.h>
+#include <output/point_displacements.h>
 #include <output/quantities.h>
 #include <output/statistics.h>
 #include <output/summary.h>
@@ -158,6 +159,7 @@ namespace MixedCracks
     CrackObserver<dim>       crack_observer;
     CrackOpening<dim>        crack_opening;
     CrackOpeningFile<dim>    crack_opening_file;
+    PointDisplacements<dim>  point_displacements;
     StatisticsTable          statistics;
     FieldOutput<dim>         field_output;
     double                   external_work = 0.; // mJ

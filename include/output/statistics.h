@@ -35,6 +35,7 @@ namespace MixedCracks
     unsigned int          rejected_steps      = 0;
     unsigned int          refinements         = 0;
     double                crack_volume        = 0.; ///< mm^3, where asked for
+    std::vector<double>   point_displacements;      ///< mm; components in turn
 
     /// Length of the force vector, N.
     double force_size() const;
@@ -52,10 +53,13 @@ namespace MixedCracks
   public:
     explicit StatisticsTable(MPI_Comm communicator);
 
-    /// Open @p file_name anew, with a last column for the crack volume where
-    /// it is asked for. Throws FileError. Collective.
-    void
-    open(const std::string &file_name, int dim, bool with_crack_volume = false);
+    /// Open @p file_name anew, with a column for the crack volume where it is
+    /// asked for, and then those of displacements at points. Throws FileError.
+    /// Collective.
+    void open(const std::string              &file_name,
+              int                             dim,
+              bool                            with_crack_volume = false,
+              const std::vector<std::string> &point_columns     = {});
 
     /// Rows kept by a resumed run, written anew. Collective.
     void restore(const std::vector<StatisticsRow> &earlier);

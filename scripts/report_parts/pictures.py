@@ -112,13 +112,14 @@ def is_flat(fields):
     return np.ptp(fields.points[:, 2]) <= 1e-9 * np.ptp(fields.points[:, :2])
 
 
-def paint(axes, fields, points, faces, values):
+def paint(axes, fields, points, faces, values, colors=COLORS, limits=(0., 1.)):
     triangles = corner_triangles(faces)
     if not is_flat(fields):  # far faces first
         triangles = triangles[np.argsort(points[triangles, 2].mean(axis=1),
                                          kind="stable")]
     axes.tripcolor(points[:, 0], points[:, 1], triangles, values,
-                   shading="gouraud", cmap=COLORS, vmin=0., vmax=1.)
+                   shading="gouraud", cmap=colors, vmin=limits[0],
+                   vmax=limits[1])
 
 
 def lines(axes, points, pairs, width, color=OUTLINE):
@@ -200,16 +201,21 @@ def common_window(all_points):
     return low, high
 
 
-def deformed_picture(fields, scale, window):
-    """PNG of the deformed body without its broken cells."""
-    points = deformed_points(fields, scale)
+def unbroken_faces(fields, points, scale):
+    """Those that are seen of the deformed body; all where none would be."""
     phase_field = fields.data.get("phase_field", np.ones(len(points)))
     stretch = longest_edges(points, fields.faces) \
         / np.maximum(longest_edges(fields.points, fields.faces), 1e-300)
     faces = fields.faces[(phase_field[fields.faces].min(axis=1) >= BROKEN)
                          & (stretch <= TORN * max(scale, 1.))]
-    if not len(faces):
-        faces = fields.faces
+    return faces if len(faces) else fields.faces
+
+
+def deformed_picture(fields, scale, window):
+    """PNG of the deformed body without its broken cells."""
+    points = deformed_points(fields, scale)
+    phase_field = fields.data.get("phase_field", np.ones(len(points)))
+    faces = unbroken_faces(fields, points, scale)
     figure, axes = canvas(window, 780)
     paint(axes, fields, points, faces, np.clip(phase_field, 0., 1.))
     if is_flat(fields):

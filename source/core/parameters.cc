@@ -19,6 +19,7 @@ namespace MixedCracks
     solver.add_parameters(prm);
     output.add_parameters(prm);
     crack_opening.add_parameters(prm);
+    point_displacements.add_parameters(prm);
   }
 
 
@@ -58,6 +59,7 @@ namespace MixedCracks
     solver.check();
     output.check();
     crack_opening.check();
+    point_displacements.check();
 
     std::vector<std::string> prescribed;
     for (const auto &entry : boundary_conditions.displacements())

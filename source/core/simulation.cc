@@ -45,6 +45,7 @@ namespace MixedCracks
     , crack_opening_file(parameters.output.directory,
                          crack_opening.lines(),
                          communicator)
+    , point_displacements(fields, parameters.point_displacements.points())
     , statistics(communicator)
     , field_output(fields,
                    parameters.output.directory,
@@ -107,6 +108,7 @@ namespace MixedCracks
     material = std::make_unique<Material<dim>>(
       describe_material(parameters.model, parameters.material, dim, cell_size));
     fields.distribute();
+    point_displacements.reinit();
     material_field = std::make_unique<const MaterialField<dim>>(
       make_material_field(parameters.material, triangulation));
     material_range = MixedCracks::material_range(*material_field, fields);
@@ -156,6 +158,7 @@ namespace MixedCracks
     phase_field_step->reinit();
     boundary_quantities.reinit();
     crack_observer.reinit();
+    point_displacements.reinit();
     if (!crack_opening.lines().empty())
       crack_opening.reinit(parameters.crack_opening.reach *
                            material->description().length_scale);

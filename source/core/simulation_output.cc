@@ -17,7 +17,8 @@ namespace MixedCracks
     log.open(directory + "/log.txt", existing == ExistingRun::resume);
     statistics.open(directory + "/statistics.csv",
                     dim,
-                    parameters.crack_opening.crack_volume);
+                    parameters.crack_opening.crack_volume,
+                    point_displacements.column_names());
     std::string message;
     if (Utilities::MPI::this_mpi_process(communicator) == 0)
     {
@@ -67,6 +68,7 @@ namespace MixedCracks
     row.rejected_steps      = load_control.n_rejected();
     row.refinements         = n_refinements;
     record_opening(state, row);
+    row.point_displacements = point_displacements.evaluate(state.elastic);
     statistics.add(row);
     log_step(row);
     check_energy_balance();

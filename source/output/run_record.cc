@@ -57,6 +57,9 @@ namespace MixedCracks
     for (const StatisticsRow &row : record.rows)
     {
       for_each_member(row, [&](const auto &value) { out << value << ' '; });
+      out << row.point_displacements.size();
+      for (const double displacement : row.point_displacements)
+        out << ' ' << displacement;
       out << '\n';
     }
     out << record.field_files.size() << '\n';
@@ -86,6 +89,13 @@ namespace MixedCracks
     {
       StatisticsRow row;
       for_each_member(row, [&](auto &value) { in >> value; });
+      std::size_t n_displacements = 0;
+      in >> n_displacements;
+      for (std::size_t k = 0; in && k < n_displacements; ++k)
+      {
+        row.point_displacements.push_back(0.);
+        in >> row.point_displacements.back();
+      }
       record.rows.push_back(row);
     }
     in >> n_files;

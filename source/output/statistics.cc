@@ -48,6 +48,8 @@ namespace MixedCracks
           << std::setprecision(10) << row.energy_imbalance(first);
       if (with_crack_volume)
         out << ',' << row.crack_volume;
+      for (const double displacement : row.point_displacements)
+        out << ',' << displacement;
       out << '\n';
       return out.str();
     }
@@ -81,9 +83,10 @@ namespace MixedCracks
 
 
   void
-  StatisticsTable::open(const std::string &file_name,
-                        const int          dimension,
-                        const bool         crack_volume)
+  StatisticsTable::open(const std::string              &file_name,
+                        const int                       dimension,
+                        const bool                      crack_volume,
+                        const std::vector<std::string> &point_columns)
   {
     dim               = dimension;
     with_crack_volume = crack_volume;
@@ -92,8 +95,10 @@ namespace MixedCracks
     if (dealii::Utilities::MPI::this_mpi_process(communicator) == 0)
     {
       file.open(name);
-      file << header(dim) << (with_crack_volume ? ",crack_volume_mm3\n" : "\n")
-           << std::flush;
+      file << header(dim) << (with_crack_volume ? ",crack_volume_mm3" : "");
+      for (const std::string &column : point_columns)
+        file << ',' << column;
+      file << '\n' << std::flush;
       if (!file)
         message = "Output/Directory: '" + name + "' cannot be written.";
     }

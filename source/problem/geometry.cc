@@ -3,6 +3,7 @@
 #include <problem/geometries/l_shape.h>
 #include <problem/geometries/mesh_file.h>
 #include <problem/geometries/punctured_strip.h>
+#include <problem/geometries/quadrilateral.h>
 #include <problem/geometries/rectangle.h>
 #include <problem/geometries/slit_square.h>
 #include <problem/geometry.h>
@@ -32,6 +33,9 @@ namespace MixedCracks
        {"L-shape",
         "a square without its lower right quadrant",
         [] { return std::make_unique<LShape<2>>(); }},
+       {"quadrilateral",
+        "four corners joined by straight sides",
+        [] { return std::make_unique<Quadrilateral<2>>(); }},
        {"mesh file",
         "a mesh of quadrilaterals from a Gmsh, Abaqus or UCD file",
         [] { return std::make_unique<MeshFile<2>>(); }}});
@@ -58,6 +62,9 @@ namespace MixedCracks
        {"L-shape",
         "the L-shape of 2-d, of the thickness of the material",
         [] { return std::make_unique<LShape<3>>(); }},
+       {"quadrilateral",
+        "the quadrilateral of 2-d, of the thickness of the material",
+        [] { return std::make_unique<Quadrilateral<3>>(); }},
        {"mesh file", "a mesh of hexahedra from a Gmsh, Abaqus or UCD file", [] {
           return std::make_unique<MeshFile<3>>();
         }}});

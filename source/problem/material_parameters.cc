@@ -127,8 +127,9 @@ namespace MixedCracks
                       "Of the specimen, out of plane. In 2-d it multiplies "
                       "forces and energies, never stresses. In 3-d it is the "
                       "extent in z of the geometries that are plane figures "
-                      "made thick (punctured strip, L-shape), and forces and "
-                      "energies are those of the whole body. Unit: mm.",
+                      "made thick (punctured strip, L-shape, quadrilateral), "
+                      "and forces and energies are those of the whole body. "
+                      "Unit: mm.",
                       Patterns::Double(std::numeric_limits<double>::min()));
     map.add_parameters(prm);
     prm.leave_subsection();

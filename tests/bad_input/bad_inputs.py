@@ -392,6 +392,15 @@ CONDITIONS = [
           "'0.123 0.1'", "no vertex", leaves=["results"]),
     entry("Boundary conditions/Displacement at points", "0, 28 : y : 1/t", FINITE,
           "y = 28"),
+    entry("Output/Displacement at points", "10, 5", "'10, 5'", "name : point"),
+    entry("Output/Displacement at points", "tip : 10", "'10'", "point of 2 numbers"),
+    entry("Output/Displacement at points", "tip : 10, y", "'y'", "a number"),
+    entry("Output/Displacement at points", "1st, tip : 10, 5", "'1st, tip'", "letter"),
+    entry("Output/Displacement at points", "a tip : 10, 5 ; a_tip : 1, 5", "'a_tip' twice"),
+    entry("Output/Displacement at points", "tip : 10, 5 ; far : 10, 29", "'far : 10 29'",
+          "outside of the mesh", leaves=["results"]),
+    entry("Output/Displacement at points", "in the hole : 13, 18",
+          "'in the hole : 13 18'", "outside of the mesh", leaves=["results"]),
     value("Boundary conditions/Unbreakable margin", "-1", "found '-1'", "at least 0"),
 ]
 

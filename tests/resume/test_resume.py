@@ -18,10 +18,12 @@ CASE = ROOT / "parameters" / "epdm" / "punctured_strip.prm"
 COARSE = ["Mesh/Refined surroundings=", "Mesh/Adaptive levels=1",
           "Model/Length scale=1.2", "Model/Coupling tolerance=1e-4",
           "Load stepping/End time=4.2", "Load stepping/Largest step=0.6",
-          "Output/Checkpoint every=2"]
+          "Output/Checkpoint every=2",
+          "Output/Displacement at points=left : 0.3, 20 ; right : 17, 13.37"]
 CASE_3D = (ROOT / "tests" / "regression" / "strip_3d.prm",
            ["Mesh/Adaptation=predictor corrector", "Mesh/Adaptive levels=1",
-            "Mesh/Refinement margin=0.1"])
+            "Mesh/Refinement margin=0.1",
+            "Output/Displacement at points=inside : 3, 4.5, 1.7"])
 # what depends on the machine, or on how often factors were at hand, or is a
 # small difference of columns that are compared
 NOT_COMPARED = {"energy_imbalance_mJ",
@@ -98,6 +100,11 @@ def main():
         out = run(1, whole, "--resume", settings=["Material/Thickness=3"],
                   status=2)
         assert "Material/Thickness" in out, out
+        assert "right_y_mm" in rows(whole)[0]
+        # nor one whose columns mean something else
+        out = run(1, whole, "--resume", status=2, case=(
+            CASE, [*COARSE[:-1], "Output/Displacement at points=left : 1, 20"]))
+        assert "Output/Displacement at points" in out, out
         in_3d(pathlib.Path(temporary) / "whole 3d",
               pathlib.Path(temporary) / "parts 3d")
 
@@ -109,6 +116,7 @@ def in_3d(whole, parts):
     run(2, parts, "--resume", case=CASE_3D)
     compare(rows(parts), rows(whole))
     assert int(rows(whole)[-1]["refinements"]) > 0
+    assert float(rows(whole)[-1]["inside_z_mm"]) != 0.
     assert not list(whole.glob("crack_path*"))
     summary = json.loads((whole / "summary.json").read_text())
     assert summary["outcome"] == "not traced", summary["outcome"]

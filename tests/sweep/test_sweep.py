@@ -336,6 +336,59 @@ class Studies(Case):
         self.assertEqual(process.returncode, 2)
         self.assertIn("there is no crack_path.csv", process.stderr)
 
+    def picture(self, *arguments, status=0):
+        """The bytes, or what is said."""
+        run, target = self.path("out", "soft_1"), self.path("p.png")
+        process = called(STUDY, "picture", run, "--output", target, *arguments)
+        if "no Python with matplotlib" in process.stderr:
+            self.skipTest("no Python with matplotlib on this machine")
+        self.assertNotIn("Traceback", process.stderr)
+        self.assertNotIn("Warning", process.stderr)
+        self.assertEqual(process.returncode, status, process.stderr)
+        if status:
+            return process.stderr
+        with open(target, "rb") as stream:
+            return stream.read()
+
+    def test_picture(self):
+        # each choice makes another picture
+        pictures = [self.picture(*arguments) for arguments in (
+            (), ("--time", "0"), ("--field", "displacement"),
+            ("--field", "displacement_y"), ("--deformed",), ("--deformed", "3"),
+            ("--mesh",), ("--window", "0", "0", "1", "1"), ("--pixels", "200"))]
+        self.assertEqual(len(set(pictures)), len(pictures))
+        for data in pictures:
+            self.assertEqual(data[:4], b"\x89PNG")
+            self.assertLess(len(data), 100000)
+        self.assertEqual(pictures[0], self.picture("--time", "1e9"))
+        self.assertIn("'heat' is not in", self.picture("--field", "heat", status=2))
+        self.assertIn("--pixels", self.picture("--pixels", "1", status=2))
+        shutil.rmtree(self.path("out", "soft_1", "fields"))
+        self.assertIn("no fields", self.picture(status=2))
+
+    def test_opening(self):
+        run = self.path("out", "soft_1")
+        synthetic_run.write(os.path.join(run, "crack_opening.csv"),
+                            "step,time_s,line,position_mm,x_mm,y_mm,opening_mm\n"
+                            "0,0,0,0,2,-1,5\n"
+                            "1,1,0,0,2,-1,0\n1,1,0,1,2,0,1\n1,1,0,2,2,1,0\n")
+        for exact, status in (("sqrt(1-x**2)", 0), ("1+", 2), ("open('f')", 2)):
+            process = called(STUDY, "opening", run, "--output", self.path("o.svg"),
+                             "--exact", exact)
+            if "no Python with matplotlib" in process.stderr:
+                self.skipTest("no Python with matplotlib on this machine")
+            self.assertNotIn("Traceback", process.stderr)
+            self.assertEqual(process.returncode, status, process.stderr)
+        text = self.text("o.svg")
+        for word in ("computed", "exact", "Opening (mm)", "Position (mm)"):
+            self.assertIn(">%s<" % word, text)
+        # the last step, over the coordinate in which the line extends
+        sys.path.insert(0, os.path.dirname(STUDY))
+        from sweep_parts import study_opening
+        x, opening = study_opening.read_lines(run)[0]
+        self.assertEqual(list(x), [-1., 0., 1.])
+        self.assertEqual(list(opening), [0., 1., 0.])
+
     def test_nothing_to_draw(self):
         shutil.rmtree(self.output)
         self.assertIn("there is no directory", self.study(

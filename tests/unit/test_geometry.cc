@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "geometries.h"
 
@@ -75,6 +76,50 @@ TEST(Geometry, SlitSquareAndLShape)
                                      {"reentrant vertical", 5.}})
     EXPECT_NEAR(
       boundary_length(l, panel->boundary_ids().at(name)), length, 1e-12);
+}
+
+
+TEST(Geometry, QuadrilateralHasStraightSidesBetweenItsCorners)
+{
+  const auto membrane =
+    geometry("quadrilateral",
+             {{"Corners", "0,0 ; 48,44 ; 48,60 ; 0,44"}, {"Cells", "3, 4"}});
+  membrane->check();
+  dealii::Triangulation<2> triangulation;
+  membrane->create(triangulation);
+  EXPECT_EQ(triangulation.n_active_cells(), 12u);
+  triangulation.refine_global(1);
+  double area = 0.;
+  for (const auto &cell : triangulation.active_cell_iterators())
+    area += cell->measure();
+  EXPECT_NEAR(area, 48. * (44. + 16.) / 2., 1e-10);
+  for (const auto &[name, length] :
+       std::map<std::string, double>{{"left", 44.},
+                                     {"right", 16.},
+                                     {"bottom", std::hypot(48., 44.)},
+                                     {"top", std::hypot(48., 16.)}})
+    EXPECT_NEAR(
+      boundary_length(triangulation, membrane->boundary_ids().at(name)),
+      length,
+      1e-10)
+      << name;
+}
+
+
+TEST(Geometry, RefusalsOfTheQuadrilateral)
+{
+  const auto refused = [](const Entries &entries, const std::string &part) {
+    expect_refused("quadrilateral", entries, part);
+  };
+  refused({{"Corners", "0,0 ; 1,0 ; 1,1"}}, "4 points");
+  refused({{"Corners", "0,0 ; 1,0 ; 1,1,2 ; 0,1"}}, "2 numbers");
+  // clockwise, a corner that points inwards, three on a line, a corner twice
+  refused({{"Corners", "0,0 ; 0,1 ; 1,1 ; 1,0"}}, "turn left");
+  refused({{"Corners", "0,0 ; 4,0 ; 1,1 ; 0,4"}}, "at (1, 1)");
+  refused({{"Corners", "0,0 ; 1,0 ; 2,0 ; 0,1"}}, "at (1, 0)");
+  refused({{"Corners", "0,0 ; 0,0 ; 1,1 ; 0,1"}}, "turn left");
+  refused({{"Cells", "4"}}, "2 numbers");
+  refused({{"Cells", "0, 4"}}, "integers from 1");
 }
 
 

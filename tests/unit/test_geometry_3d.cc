@@ -182,6 +182,23 @@ TEST(Geometry3d, LShape)
 
 
 
+TEST(Geometry3d, Quadrilateral)
+{
+  const auto       membrane = body("quadrilateral",
+                             {{"Corners", "1,2 ; 49,46 ; 49,62 ; 1,46"},
+                                    {"Cells", "3, 4"},
+                                    {"Thickness cells", "2"}});
+  Triangulation<3> triangulation;
+  membrane->create(triangulation);
+  EXPECT_EQ(triangulation.n_active_cells(), 24u);
+  EXPECT_NEAR(
+    dealii::GridTools::volume(triangulation), 1440. * thickness, 1e-9);
+  EXPECT_NEAR(area(triangulation, *membrane, "right"), 16. * thickness, 1e-10);
+  EXPECT_NEAR(area(triangulation, *membrane, "front"), 1440., 1e-9);
+}
+
+
+
 // also its hole and the cells around it, however often it is refined
 TEST(Geometry3d, StripIsThatOfThePlaneAtEveryHeight)
 {

@@ -4,6 +4,9 @@
 // vertical displacement of the middle (48,52) of that edge.
 //  - Plane stress, E = 1, nu = 1/3: 23.96, the value that the literature on
 //    elements agrees on (Cook's own example of 1974; e.g. Simo and Rifai 1990).
+//  - Plane strain, incompressible (lambda = 0.75e7, mu = 0.375): 16.4326,
+//    extrapolated by Krysl, example cookstrain.m of FinEALE, from nodally
+//    integrated triangles [Krysl, Zhu 2008].
 //  - Plane strain, nearly incompressible: the converged displacement of our own
 //    Q2 displacement elements and of the mixed ones on fine meshes.
 #include "body.h"
@@ -17,11 +20,12 @@ using namespace MixedCracks::Testing;
 
 namespace
 {
-  dealii::Point<2>
-  trapezoid(const dealii::Point<2> &x)
-  {
-    return {48. * x[0], 44. * x[0] + x[1] * (44. - 28. * x[0])};
-  }
+  const std::string membrane =
+    "Geometry/Name = quadrilateral\n"
+    "Geometry/Quadrilateral/Corners = 0,0 ; 48,44 ; 48,60 ; 0,44\n"
+    "Geometry/Quadrilateral/Cells = 1, 1\n"
+    "Boundary conditions/Displacement = left : all : 0\n"
+    "Boundary conditions/Traction = right : y : 1/16\n";
 
   // @p refinement: 2^refinement cells in each direction
   double
@@ -29,17 +33,11 @@ namespace
                    const std::string &poisson_ratio,
                    const unsigned int refinement)
   {
-    Body body("Geometry/Name = rectangle\n"
-              "Geometry/Rectangle/Cell size = 1\n"
-              "Mesh/Global refinements = " +
-                std::to_string(refinement) +
-                "\nMaterial/Young's modulus = 1\n"
-                "Material/Poisson ratio = " +
-                poisson_ratio +
-                "\nBoundary conditions/Displacement = left : all : 0\n"
-                "Boundary conditions/Traction = right : y : 1/16\n" +
-                model,
-              trapezoid);
+    Body body(membrane +
+              "Mesh/Global refinements = " + std::to_string(refinement) +
+              "\nMaterial/Young's modulus = 1\n"
+              "Material/Poisson ratio = " +
+              poisson_ratio + '\n' + model);
     body.solve();
     const double tip = body.displacement_at({48., 52.})[1];
     if (dealii::Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0)
@@ -71,6 +69,16 @@ TEST(CooksMembrane, AgreesWithTheLiteratureInPlaneStress)
     EXPECT_NEAR(tip_displacement(model + in_plane_stress, "0.3333333333", fine),
                 23.96,
                 0.002 * 23.96);
+}
+
+
+
+TEST(CooksMembrane, AgreesWithAnExtrapolatedValueInPlaneStrain)
+{
+  // E = mu (3 lambda + 2 mu) / (lambda + mu) = 3 mu but for the eighth digit
+  EXPECT_NEAR(0.375 * 3. * 16.4326,
+              tip_displacement(mixed + in_plane_strain, "0.499999975", fine),
+              0.002 * 0.375 * 3. * 16.4326);
 }
 
 

@@ -26,6 +26,13 @@ namespace MixedCracks
   void require_cell_size(double                     cell_size,
                          const std::vector<double> &extents,
                          const std::string         &parameter);
+
+  /// The numbers of coarse cells in @p dim directions, as "4, 2". Throws
+  /// InputError naming @p parameter when they are not integers from 1, or
+  /// more than a million in all.
+  std::vector<unsigned int> read_cell_numbers(const std::string &text,
+                                              unsigned int       dim,
+                                              const std::string &parameter);
 } // namespace MixedCracks
 
 #endif

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include <core/errors.h>
+#include <core/text.h>
 #include <problem/geometries/checks.h>
 
 #include <algorithm>
@@ -68,5 +69,32 @@ namespace MixedCracks
               number_text(n_cells) + " coarse cells; at most " +
               number_text(max_cells) +
               " are allowed (refine with the subsection Mesh instead).");
+  }
+
+
+
+  std::vector<unsigned int>
+  read_cell_numbers(const std::string &text,
+                    const unsigned int dim,
+                    const std::string &parameter)
+  {
+    std::vector<unsigned int> result;
+    double                    n_all = 1.;
+    for (const double number : parse_numbers(text, parameter))
+    {
+      require(number >= 1. && number == std::floor(number),
+              parameter + ": found " + number_text(number) +
+                ", allowed are integers from 1.");
+      n_all *= number;
+      require(n_all <= 1e6,
+              parameter + ": found " + in_quotes(text) +
+                ", allowed are at most 1e+06 coarse cells in all (refine with "
+                "the subsection Mesh instead).");
+      result.push_back(static_cast<unsigned int>(number));
+    }
+    require(result.size() == dim,
+            parameter + ": found " + in_quotes(text) + ", allowed are " +
+              std::to_string(dim) + " numbers.");
+    return result;
   }
 } // namespace MixedCracks

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include <core/text.h>
 #include <problem/geometries/boundaries.h>
 #include <problem/geometries/checks.h>
 #include <problem/geometries/rectangle.h>
@@ -94,31 +93,12 @@ namespace MixedCracks
   std::vector<unsigned int>
   Rectangle<dim>::n_cells() const
   {
+    if (!cells.empty())
+      return read_cell_numbers(cells, dim, subsection<dim>() + "Cells");
     std::vector<unsigned int> result;
-    if (cells.empty())
-    {
-      for (unsigned int d = 0; d < dim; ++d)
-        result.push_back(static_cast<unsigned int>(std::max(
-          1., std::round((upper_corner[d] - lower_corner[d]) / cell_size))));
-      return result;
-    }
-    const std::string parameter = subsection<dim>() + "Cells";
-    double            n_all     = 1.;
-    for (const double number : parse_numbers(cells, parameter))
-    {
-      require(number >= 1. && number == std::floor(number),
-              parameter + ": found " + number_text(number) +
-                ", allowed are integers from 1.");
-      n_all *= number;
-      require(n_all <= 1e6,
-              parameter + ": found " + in_quotes(cells) +
-                ", allowed are at most 1e+06 coarse cells in all (refine with "
-                "the subsection Mesh instead).");
-      result.push_back(static_cast<unsigned int>(number));
-    }
-    require(result.size() == dim,
-            parameter + ": found " + in_quotes(cells) + ", allowed are " +
-              std::to_string(dim) + " numbers.");
+    for (unsigned int d = 0; d < dim; ++d)
+      result.push_back(static_cast<unsigned int>(std::max(
+        1., std::round((upper_corner[d] - lower_corner[d]) / cell_size))));
     return result;
   }
 

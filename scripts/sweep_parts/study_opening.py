@@ -1,0 +1,83 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""The opening along the lines of a run, beside an exact one."""
+import csv
+import os
+
+import matplotlib
+import numpy as np
+from matplotlib.figure import Figure
+
+from report_parts import curves
+
+from . import studies
+from .study_curves import HUES
+
+FUNCTIONS = {name: getattr(np, name) for name in
+             ("sqrt", "sin", "cos", "exp", "log", "abs", "where", "pi")}
+
+
+def read_lines(directory):
+    """{number of the line: (coordinates, openings)} of the last step, mm. The
+    coordinate is the one in which the line extends most."""
+    path = os.path.join(directory, "crack_opening.csv")
+    try:
+        with open(path, encoding="utf-8", newline="") as stream:
+            rows = [{key: float(value) for key, value in row.items()}
+                    for row in csv.DictReader(stream)]
+    except (OSError, TypeError, ValueError) as error:
+        raise studies.StudyError("%s cannot be read (%s)" % (path, error))
+    lines = {}
+    for row in rows:
+        if row["step"] == rows[-1]["step"]:
+            lines.setdefault(int(row["line"]), []).append(row)
+    found = {}
+    for number, line in lines.items():
+        points = np.array([[row[name] for name in ("x_mm", "y_mm", "z_mm")
+                            if name in row] for row in line])
+        axis = int(np.ptp(points, axis=0).argmax())
+        found[number] = points[:, axis], np.array([row["opening_mm"] for row in line])
+    if not found:
+        raise studies.StudyError("%s holds no openings" % path)
+    return found
+
+
+def exact_values(expression, x):
+    """nan where it has no value, as a root beyond the tip of a crack."""
+    try:
+        with np.errstate(all="ignore"):
+            values = eval(expression, {"__builtins__": {}},  # pylint: disable=W0123
+                          dict(FUNCTIONS, x=x))
+    except Exception as error:
+        raise studies.StudyError("--exact: '%s' cannot be evaluated (%s)"
+                                 % (expression, error))
+    return np.broadcast_to(np.asarray(values, float), x.shape)
+
+
+def draw(lines, exact):
+    with matplotlib.rc_context(curves.STYLE):
+        figure = Figure(figsize=(6.4, 3.6))
+        figure.set_facecolor("white")
+        axes = figure.add_subplot()
+        for i, (number, (x, opening)) in enumerate(sorted(lines.items())):
+            axes.plot(x, opening, "o", ms=4, color=HUES[i % len(HUES)],
+                      label="computed" if len(lines) == 1
+                      else "computed, line %d" % number)
+        if exact:
+            low = min(x.min() for x, _ in lines.values())
+            high = max(x.max() for x, _ in lines.values())
+            x = np.linspace(low, high, 2001)
+            axes.plot(x, exact_values(exact, x), "-", lw=1.4, color=curves.INK,
+                      label="exact")
+        axes.axhline(0., color=curves.GREY, lw=0.7)
+        axes.set_xlabel("Position (mm)")
+        axes.set_ylabel("Opening (mm)")
+        axes.legend()
+        return figure
+
+
+def write(directory, path, exact):
+    options = {"metadata": {"Date": None}} if path.endswith(".svg") else {"dpi": 130}
+    settings = {"svg.hashsalt": "opening", "svg.fonttype": "none"}
+    with matplotlib.rc_context(dict(curves.STYLE, **settings)):
+        draw(read_lines(directory), exact).savefig(
+            path, bbox_inches="tight", facecolor="white", **options)

@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include <core/errors.h>
+#include <core/text.h>
+
+#include <deal.II/base/patterns.h>
+
+#include <output/point_displacement_parameters.h>
+
+#include <algorithm>
+#include <cctype>
+#include <set>
+
+namespace MixedCracks
+{
+  namespace
+  {
+    bool
+    is_name(const std::string &text)
+    {
+      return std::isalpha(static_cast<unsigned char>(text.front())) != 0 &&
+             std::all_of(text.begin(), text.end(), [](const unsigned char c) {
+               return std::isalnum(c) != 0 || c == ' ' || c == '_' || c == '-';
+             });
+    }
+  } // namespace
+
+
+
+  template <int dim>
+  std::string
+  NamedPoint<dim>::column_name(const unsigned int component) const
+  {
+    std::string result = name;
+    std::replace(result.begin(), result.end(), ' ', '_');
+    return result + '_' + "xyz"[component] + "_mm";
+  }
+
+
+
+  template <int dim>
+  void
+  PointDisplacementParameters<dim>::add_parameters(
+    dealii::ParameterHandler &prm)
+  {
+    prm.enter_subsection("Output");
+    prm.add_parameter(
+      "Displacement at points",
+      text,
+      "Points of the undeformed body whose displacement is in statistics.csv: "
+      "'name : point ; ...', as in 'right corner : 48, 60', which makes the "
+      "columns right_corner_x_mm and right_corner_y_mm. Any point of the body, "
+      "not only vertices; where a slit passes, the mean of its two faces. Unit: "
+      "mm.",
+      dealii::Patterns::Anything());
+    prm.leave_subsection();
+  }
+
+
+
+  template <int dim>
+  std::vector<NamedPoint<dim>>
+  PointDisplacementParameters<dim>::points() const
+  {
+    const std::string            parameter = name;
+    std::vector<NamedPoint<dim>> result;
+    std::set<std::string>        columns;
+    for (const std::string &entry : split_list(text, ';'))
+    {
+      const std::vector<std::string> parts = split_list(entry, ':');
+      if (parts.size() != 2)
+        throw InputError(parameter + ": found " + in_quotes(entry) +
+                         ", allowed is 'name : point', several separated by "
+                         "';'.");
+      NamedPoint<dim> point{single_spaced(parts[0]), {}};
+      if (!is_name(point.name))
+        throw InputError(parameter + ": found the name " +
+                         in_quotes(point.name) +
+                         ", allowed are a letter and then letters, digits, "
+                         "blanks, '_' and '-'.");
+      if (!columns.insert(point.column_name(0)).second)
+        throw InputError(parameter + ": found the name " +
+                         in_quotes(point.name) +
+                         " twice, allowed are different names.");
+      const std::vector<double> numbers = parse_numbers(parts[1], parameter);
+      if (numbers.size() != dim)
+        throw InputError(parameter + ": found " + in_quotes(parts[1]) +
+                         ", allowed is a point of " + std::to_string(dim) +
+                         " numbers, as '" + (dim == 2 ? "0, 1" : "0, 1, 2") +
+                         "'.");
+      std::copy(numbers.begin(), numbers.end(), point.position.begin_raw());
+      result.push_back(point);
+    }
+    return result;
+  }
+
+
+
+  template <int dim>
+  void
+  PointDisplacementParameters<dim>::check() const
+  {
+    points();
+  }
+
+
+
+  template struct NamedPoint<2>;
+  template struct NamedPoint<3>;
+  template struct PointDisplacementParameters<2>;
+  template struct PointDisplacementParameters<3>;
+} // namespace MixedCracks

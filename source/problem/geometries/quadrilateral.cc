@@ -1,0 +1,193 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include <core/text.h>
+#include <problem/geometries/boundaries.h>
+#include <problem/geometries/checks.h>
+#include <problem/geometries/extrusion.h>
+#include <problem/geometries/quad_mesh.h>
+#include <problem/geometries/quadrilateral.h>
+
+#include <deal.II/base/patterns.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace MixedCracks
+{
+  using dealii::Point;
+  using dealii::Tensor;
+
+  namespace
+  {
+    const std::string subsection = "Geometry/Quadrilateral/";
+    const std::string corners_parameter(subsection + "Corners");
+
+    // in the order of the corners they begin at
+    constexpr std::array<BoxSide, 4> sides = {{bottom, right, top, left}};
+
+    double
+    cross(const Tensor<1, 2> &a, const Tensor<1, 2> &b)
+    {
+      return a[0] * b[1] - a[1] * b[0];
+    }
+
+    // of a point from the line through two others; mm
+    double
+    distance_from_line(const Point<2> &p, const Point<2> &a, const Point<2> &b)
+    {
+      return std::abs(cross(b - a, p - a)) / (b - a).norm();
+    }
+  } // namespace
+
+
+
+  template <int dim>
+  void
+  Quadrilateral<dim>::add_parameters(dealii::ParameterHandler &prm)
+  {
+    using namespace dealii::Patterns;
+    prm.add_parameter("Corners",
+                      corners_text,
+                      "'x, y ; x, y ; x, y ; x, y', counterclockwise from the "
+                      "lower left one; every angle less than 180 degrees. The "
+                      "sides between them are bottom, right, top, left; mm.",
+                      Anything());
+    prm.add_parameter("Cells",
+                      cells,
+                      "Numbers of cells of the coarse mesh along bottom and "
+                      "top, and along left and right, as '4, 2'.",
+                      Anything());
+    add_thickness_cells(prm, thickness_cells);
+  }
+
+
+
+  template <int dim>
+  typename Quadrilateral<dim>::Corners
+  Quadrilateral<dim>::corners() const
+  {
+    const std::vector<std::string> points = split_list(corners_text, ';');
+    require(points.size() == 4,
+            corners_parameter + ": found " + in_quotes(corners_text) +
+              ", allowed are 4 points, as '0,0 ; 1,0 ; 1,1 ; 0,1'.");
+    Corners result;
+    for (unsigned int i = 0; i < 4; ++i)
+    {
+      const std::vector<double> numbers =
+        parse_numbers(points[i], corners_parameter);
+      require(numbers.size() == 2,
+              corners_parameter + ": found " + in_quotes(points[i]) +
+                ", allowed is a point of 2 numbers, as '0, 1'.");
+      result[i] = Point<2>(numbers[0], numbers[1]);
+    }
+    return result;
+  }
+
+
+
+  template <int dim>
+  std::vector<unsigned int>
+  Quadrilateral<dim>::n_cells() const
+  {
+    return read_cell_numbers(cells, 2, subsection + "Cells");
+  }
+
+
+
+  template <int dim>
+  void
+  Quadrilateral<dim>::check() const
+  {
+    const Corners corner = corners();
+    for (unsigned int i = 0; i < 4; ++i)
+    {
+      const Tensor<1, 2> before = corner[i] - corner[(i + 3) % 4];
+      const Tensor<1, 2> after  = corner[(i + 1) % 4] - corner[i];
+      require(cross(before, after) > 1e-9 * before.norm() * after.norm(),
+              corners_parameter + ": at (" + number_text(corner[i][0]) + ", " +
+                number_text(corner[i][1]) +
+                ") the sides do not turn left; allowed are the corners of a "
+                "convex quadrilateral, counterclockwise.");
+    }
+    const std::vector<unsigned int> n = n_cells();
+    if (dim == 3)
+      require_thickness_cells(thickness_cells, 1. * n[0] * n[1], subsection);
+  }
+
+
+
+  template <int dim>
+  std::map<std::string, dealii::types::boundary_id>
+  Quadrilateral<dim>::boundary_ids() const
+  {
+    return box_side_ids<dim>();
+  }
+
+
+
+  template <int dim>
+  std::optional<dealii::BoundingBox<dim>>
+  Quadrilateral<dim>::extent() const
+  {
+    const Corners corner = corners();
+    Point<dim>    lower, upper;
+    for (unsigned int d = 0; d < 2; ++d)
+    {
+      const auto [low, high] =
+        std::minmax({corner[0][d], corner[1][d], corner[2][d], corner[3][d]});
+      lower[d] = low;
+      upper[d] = high;
+    }
+    if (dim == 3)
+      upper[dim - 1] = this->thickness();
+    return dealii::BoundingBox<dim>({lower, upper});
+  }
+
+
+
+  template <int dim>
+  void
+  Quadrilateral<dim>::create_plane(dealii::Triangulation<2> &plane) const
+  {
+    const Corners                   corner = corners();
+    const std::vector<unsigned int> n      = n_cells();
+    const std::vector<double>       x      = equal_layers(1., n[0]);
+    const std::vector<double>       y      = equal_layers(1., n[1]);
+    QuadMesh                        mesh   = tensor_mesh(x, y);
+    for (Point<2> &p : mesh.vertices)
+    {
+      const double s = p[0], t = p[1];
+      for (unsigned int d = 0; d < 2; ++d)
+        p[d] = (1. - t) * ((1. - s) * corner[0][d] + s * corner[1][d]) +
+               t * ((1. - s) * corner[3][d] + s * corner[2][d]);
+    }
+    mesh.create(plane);
+
+    set_boundary_ids_by_center(plane, [&](const Point<2> &center) {
+      std::array<double, 4> distances{};
+      for (unsigned int i = 0; i < 4; ++i)
+        distances[i] =
+          distance_from_line(center, corner[i], corner[(i + 1) % 4]);
+      const auto nearest = std::min_element(distances.begin(), distances.end());
+      return dealii::types::boundary_id(
+        sides[std::distance(distances.begin(), nearest)]);
+    });
+  }
+
+
+
+  template <int dim>
+  void
+  Quadrilateral<dim>::create(dealii::Triangulation<dim> &triangulation) const
+  {
+    create_extruded(
+      [this](dealii::Triangulation<2> &plane) { create_plane(plane); },
+      this->thickness(),
+      thickness_cells,
+      triangulation);
+  }
+
+
+
+  template class Quadrilateral<2>;
+  template class Quadrilateral<3>;
+} // namespace MixedCracks
