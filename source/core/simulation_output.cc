@@ -188,7 +188,7 @@ namespace MixedCracks
     summary.kinematics         = dim == 2 ? parameters.model.kinematics : "3-d";
     summary.linear_solver      = elastic_step->linear_solver().description();
     summary.ranks              = Utilities::MPI::n_mpi_processes(communicator);
-    summary.cell_size          = cell_size;
+    summary.cell_size          = finest_cell_size(triangulation, communicator);
     summary.length_scale       = material->description().length_scale;
     summary.residual_stiffness = material->description().residual_stiffness;
     summary.thickness          = parameters.material.thickness;
