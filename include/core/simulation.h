@@ -152,7 +152,7 @@ namespace MixedCracks
     std::unique_ptr<PhaseFieldStep<dim>>              phase_field_step;
     std::unique_ptr<StepSolver<dim>>                  step_solver;
     FixedPhaseField                                   fixed_phase_field;
-    std::vector<dealii::Point<dim>>                   places; // to refine
+    AdaptationPlaces<dim>                             places; // to refine
     LoadControl                                       load_control;
 
     BoundaryQuantities<dim>  boundary_quantities;

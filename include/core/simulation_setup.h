@@ -9,11 +9,19 @@
 
 #include <discretization/constraints.h>
 #include <discretization/fields.h>
+#include <discretization/refinement.h>
 
 namespace MixedCracks
 {
   // What the .prm says in names and expressions, made into what the rooms
   // below take: ids, functions, nodes.
+
+  /// Where subsection "Mesh" wants finer cells from the start.
+  /// @p triangulation: the coarse mesh, or a refined one.
+  template <int dim>
+  RefinementRegions<dim>
+  refined_regions(const Parameters<dim>            &parameters,
+                  const dealii::Triangulation<dim> &triangulation);
 
   /// Coarse mesh, refined as subsection "Mesh" says. Collective.
   template <int dim>

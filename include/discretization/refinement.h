@@ -45,6 +45,12 @@ namespace MixedCracks
   void refine_globally_and_in_regions(dealii::Triangulation<dim> &triangulation,
                                       unsigned int                n_global,
                                       const RefinementRegions<dim> &regions);
+
+  /// Whether refine_globally_and_in_regions() refines such a cell.
+  template <int dim>
+  bool is_refined(const dealii::TriaIterator<dealii::CellAccessor<dim>> &cell,
+                  unsigned int                  n_global,
+                  const RefinementRegions<dim> &regions);
 } // namespace MixedCracks
 
 #endif

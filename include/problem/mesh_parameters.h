@@ -27,6 +27,8 @@ namespace MixedCracks
     double refinement_margin = 3.;
     /// The same straight ahead of a tip, in length scales.
     double refinement_lookahead = 16.;
+    /// How near to damage refined cells stay; in length scales.
+    double coarsening_margin = -1.;
 
     /// Enters the subsection itself.
     void add_parameters(dealii::ParameterHandler &prm);

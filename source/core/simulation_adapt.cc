@@ -37,6 +37,8 @@ namespace MixedCracks
     // no crack runs before the first load step; fronts in 3-d have no tips
     if (dim == 2 && !statistics.rows().empty())
       rule.lookahead = parameters.mesh.refinement_lookahead * length_scale;
+    if (!statistics.rows().empty())
+      rule.kept_margin = parameters.mesh.coarsening_margin * length_scale;
     return rule;
   }
 
@@ -81,10 +83,20 @@ namespace MixedCracks
   Simulation<dim>::refine(State &accepted, State &trial)
   {
     {
-      TimerOutput::Scope scope(timer, "refinement");
+      TimerOutput::Scope           scope(timer, "refinement");
+      const AdaptationRule         rule = adaptation_rule();
+      const RefinementRegions<dim> regions =
+        refined_regions(parameters, triangulation);
+      const RefinedAtStart<dim> was_refined = [&](const auto &cell) {
+        return is_refined<dim>(
+          cell, parameters.mesh.global_refinements, regions);
+      };
       // a round adds one level
-      while (flag_cells_near(places, adaptation_rule(), triangulation))
+      while (flag_cells_near(places, rule, triangulation))
       {
+        if (rule.coarsens())
+          flag_cells_to_coarsen(
+            places, rule, was_refined, fields, trial.phase_field);
         std::vector<LinearAlgebra::Vector *> elastic, phase_field;
         for (State *state : {&accepted, &trial, &peak_state})
           collect(*state, elastic, phase_field);

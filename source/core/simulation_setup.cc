@@ -86,6 +86,16 @@ namespace MixedCracks
 
 
   template <int dim>
+  RefinementRegions<dim>
+  refined_regions(const Parameters<dim>    &parameters,
+                  const Triangulation<dim> &triangulation)
+  {
+    return regions_of(parameters, triangulation);
+  }
+
+
+
+  template <int dim>
   void
   make_mesh(const Parameters<dim> &parameters,
             Triangulation<dim>    &triangulation)
@@ -356,21 +366,23 @@ namespace MixedCracks
 
 
 
-#define INSTANTIATE(dim)                                                     \
-  template void   make_mesh(const Parameters<dim> &, Triangulation<dim> &);  \
-  template double finest_cell_size(const Triangulation<dim> &, MPI_Comm);    \
-  template std::vector<PrescribedComponent<dim>> prescribed_components(      \
-    const Parameters<dim> &, unsigned int);                                  \
-  template std::vector<PrescribedPoint<dim>> prescribed_points(              \
-    const Parameters<dim> &, unsigned int);                                  \
-  template Loads<dim> make_loads(const Parameters<dim> &, unsigned int);     \
-  template std::shared_ptr<FluidAssembler<dim>> make_fluid(                  \
-    const Parameters<dim> &, const Fields<dim> &);                           \
-  template LinearAlgebra::Vector initial_phase_field(                        \
-    const Parameters<dim> &, const Fields<dim> &, const Constraints<dim> &); \
-  template IndexSet unbreakable_nodes(const Parameters<dim> &,               \
-                                      const Fields<dim> &);                  \
-  template std::map<types::global_dof_index, double> prescribed_phase_field( \
+#define INSTANTIATE(dim)                                                       \
+  template RefinementRegions<dim> refined_regions(const Parameters<dim> &,     \
+                                                  const Triangulation<dim> &); \
+  template void   make_mesh(const Parameters<dim> &, Triangulation<dim> &);    \
+  template double finest_cell_size(const Triangulation<dim> &, MPI_Comm);      \
+  template std::vector<PrescribedComponent<dim>> prescribed_components(        \
+    const Parameters<dim> &, unsigned int);                                    \
+  template std::vector<PrescribedPoint<dim>> prescribed_points(                \
+    const Parameters<dim> &, unsigned int);                                    \
+  template Loads<dim> make_loads(const Parameters<dim> &, unsigned int);       \
+  template std::shared_ptr<FluidAssembler<dim>> make_fluid(                    \
+    const Parameters<dim> &, const Fields<dim> &);                             \
+  template LinearAlgebra::Vector initial_phase_field(                          \
+    const Parameters<dim> &, const Fields<dim> &, const Constraints<dim> &);   \
+  template IndexSet unbreakable_nodes(const Parameters<dim> &,                 \
+                                      const Fields<dim> &);                    \
+  template std::map<types::global_dof_index, double> prescribed_phase_field(   \
     const Parameters<dim> &, const Fields<dim> &, double);
   INSTANTIATE(2)
   INSTANTIATE(3)

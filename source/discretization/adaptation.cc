@@ -2,10 +2,9 @@
 #include <deal.II/base/mpi.h>
 
 #include <discretization/adaptation.h>
+#include <discretization/point_grid.h>
 
 #include <algorithm>
-#include <array>
-#include <cmath>
 #include <map>
 
 namespace MixedCracks
@@ -15,91 +14,6 @@ namespace MixedCracks
 
   namespace
   {
-    // Points sorted into boxes, so that those near a place are found quickly.
-    template <int dim>
-    class PointGrid
-    {
-    public:
-      // @p size: of the boxes, the largest distance that is asked for
-      PointGrid(const std::vector<Point<dim>> &points, const double size)
-        : size(size)
-      {
-        for (const Point<dim> &point : points)
-          boxes[box_of(point)].push_back(point);
-      }
-
-      bool
-      has_point_within(const Point<dim> &center, const double distance) const
-      {
-        return any_within(
-          center, distance, [](const Point<dim> &) { return true; });
-      }
-
-      // The unit vector that points out of the damage at a node, if that is a
-      // tip: where the points within that distance reach farther back than
-      // to the sides. Otherwise 0, as where a band only widens.
-      Tensor<1, dim>
-      forward_of_tip(const Point<dim> &node, const double distance) const
-      {
-        Tensor<1, dim> forward;
-        any_within(node, distance, [&](const Point<dim> &point) {
-          forward += node - point;
-          return false;
-        });
-        if (forward.norm() < 1e-6 * distance)
-          return Tensor<1, dim>();
-        forward /= forward.norm();
-        double back = 0., beside = 0.;
-        any_within(node, distance, [&](const Point<dim> &point) {
-          const double along = (node - point) * forward;
-          back               = std::max(back, along);
-          beside = std::max(beside, ((node - point) - along * forward).norm());
-          return false;
-        });
-        return back > beside ? forward : Tensor<1, dim>();
-      }
-
-    private:
-      using Box = std::array<int, dim>;
-
-      // whether visit(point) is true for one of the points within the distance
-      template <typename Visit>
-      bool
-      any_within(const Point<dim> &center,
-                 const double      distance,
-                 const Visit      &visit) const
-      {
-        const Box home = box_of(center);
-        for (int i = 0; i < Utilities::pow(3, dim); ++i)
-        {
-          Box near = home;
-          for (int d = 0, rest = i; d < dim; ++d, rest /= 3)
-            near[d] += rest % 3 - 1;
-          const auto found = boxes.find(near);
-          if (found == boxes.end())
-            continue;
-          for (const Point<dim> &point : found->second)
-            if (point.distance(center) <= distance && visit(point))
-              return true;
-        }
-        return false;
-      }
-
-      Box
-      box_of(const Point<dim> &point) const
-      {
-        Box box;
-        for (unsigned int d = 0; d < dim; ++d)
-          box[d] = static_cast<int>(std::floor(point[d] / size));
-        return box;
-      }
-
-      const double                           size;
-      std::map<Box, std::vector<Point<dim>>> boxes;
-    };
-
-
-
     template <int dim>
     struct DamagedNodes
     {
@@ -236,78 +150,33 @@ namespace MixedCracks
 
 
   template <int dim>
-  std::vector<Point<dim>>
+  AdaptationPlaces<dim>
   places_to_refine(const Fields<dim>    &fields,
                    const Vector         &phase_field,
                    const AdaptationRule &rule)
   {
-    const DamagedNodes<dim> nodes  = damaged_nodes(fields, phase_field, rule);
-    std::vector<Point<dim>> places = nodes.all;
+    const DamagedNodes<dim> nodes = damaged_nodes(fields, phase_field, rule);
+    AdaptationPlaces<dim>   places;
+    if (rule.coarsens())
+    {
+      places.growing = nodes.at_coarse_cells;
+      places.damaged = nodes.all;
+    }
+    else
+      places.growing = nodes.all;
     if (rule.lookahead > 0. && !nodes.all.empty())
     {
       const std::vector<Point<dim>> ahead = points_ahead(nodes, rule);
-      places.insert(places.end(), ahead.begin(), ahead.end());
+      places.growing.insert(places.growing.end(), ahead.begin(), ahead.end());
     }
     return places;
   }
 
 
 
-  namespace
-  {
-    // from the center, to all vertices and a little more
-    template <typename Cell>
-    double
-    reach(const Cell &cell)
-    {
-      double result = 0.51 * cell->diameter();
-      for (const unsigned int v : cell->vertex_indices())
-        result =
-          std::max(result, 1.001 * cell->center().distance(cell->vertex(v)));
-      return result;
-    }
-  } // namespace
-
-
-
-  template <int dim>
-  bool
-  flag_cells_near(const std::vector<Point<dim>> &places,
-                  const AdaptationRule          &rule,
-                  Triangulation<dim>            &triangulation)
-  {
-    const auto may_be_refined = [&](const auto &cell) {
-      return cell->is_locally_owned() &&
-             static_cast<unsigned int>(cell->level()) < rule.finest_level;
-    };
-    double largest_diameter = 0.;
-    for (const auto &cell : triangulation.active_cell_iterators())
-      if (may_be_refined(cell))
-        largest_diameter = std::max(largest_diameter, cell->diameter());
-    bool any = false;
-    if (largest_diameter > 0.)
-    {
-      const PointGrid<dim> grid(places, rule.margin + largest_diameter);
-      for (const auto &cell : triangulation.active_cell_iterators())
-        if (may_be_refined(cell) &&
-            grid.has_point_within(cell->center(), rule.margin + reach(cell)))
-        {
-          cell->set_refine_flag();
-          any = true;
-        }
-    }
-    return Utilities::MPI::max(any ? 1 : 0, triangulation.get_communicator()) >
-           0;
-  }
-
-
-
-#define INSTANTIATE(dim)                                          \
-  template std::vector<Point<dim>> places_to_refine(              \
-    const Fields<dim> &, const Vector &, const AdaptationRule &); \
-  template bool flag_cells_near(const std::vector<Point<dim>> &,  \
-                                const AdaptationRule &,           \
-                                Triangulation<dim> &);
+#define INSTANTIATE(dim)                           \
+  template AdaptationPlaces<dim> places_to_refine( \
+    const Fields<dim> &, const Vector &, const AdaptationRule &);
   INSTANTIATE(2)
   INSTANTIATE(3)
 #undef INSTANTIATE

@@ -61,6 +61,18 @@ namespace MixedCracks
 
 
   template <int dim>
+  bool
+  is_refined(const dealii::TriaIterator<dealii::CellAccessor<dim>> &cell,
+             const unsigned int                                     n_global,
+             const RefinementRegions<dim>                          &regions)
+  {
+    return static_cast<unsigned int>(cell->level()) <
+           n_global + wanted_levels<dim>(cell, regions);
+  }
+
+
+
+  template <int dim>
   void
   refine_globally_and_in_regions(dealii::Triangulation<dim>   &triangulation,
                                  const unsigned int            n_global,
@@ -78,8 +90,7 @@ namespace MixedCracks
     {
       for (const auto &cell : triangulation.active_cell_iterators())
         if (cell->is_locally_owned() &&
-            static_cast<unsigned int>(cell->level()) <
-              n_global + wanted_levels<dim>(cell, regions))
+            is_refined<dim>(cell, n_global, regions))
           cell->set_refine_flag();
       triangulation.execute_coarsening_and_refinement();
     }
@@ -93,4 +104,12 @@ namespace MixedCracks
   template void refine_globally_and_in_regions(dealii::Triangulation<3> &,
                                                unsigned int,
                                                const RefinementRegions<3> &);
+  template bool
+  is_refined(const dealii::TriaIterator<dealii::CellAccessor<2>> &,
+             unsigned int,
+             const RefinementRegions<2> &);
+  template bool
+  is_refined(const dealii::TriaIterator<dealii::CellAccessor<3>> &,
+             unsigned int,
+             const RefinementRegions<3> &);
 } // namespace MixedCracks

@@ -48,6 +48,13 @@ namespace MixedCracks
                       "within the margin. 0: off. Ignored in 3-d, where the "
                       "margin has to do. Unit: Model/Length scale.",
                       Double(0.));
+    prm.add_parameter("Coarsening margin",
+                      coarsening_margin,
+                      "Whenever adaptation refines, intact cells (phi = 1) "
+                      "that it refined before and that are farther than this "
+                      "from damaged nodes become coarse again. Negative: they "
+                      "stay. Unit: Model/Length scale.",
+                      Double(-1.));
     prm.leave_subsection();
   }
 

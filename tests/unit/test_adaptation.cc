@@ -82,6 +82,22 @@ namespace
         refine_and_transfer(triangulation, fields, constraints, {}, {});
     }
 
+    // the same where cells become coarse, too, as a run does it
+    void
+    refine_and_coarsen(const RefinedAtStart<dim> &was_refined,
+                       Vector                    &elastic,
+                       Vector                    &values)
+    {
+      const auto places = places_to_refine(fields, values, rule);
+      ASSERT_FALSE(places.empty());
+      while (flag_cells_near(places, rule, triangulation))
+      {
+        flag_cells_to_coarsen(places, rule, was_refined, fields, values);
+        refine_and_transfer(
+          triangulation, fields, constraints, {&elastic}, {&values});
+      }
+    }
+
     unsigned int
     level_at(const Point<dim> &point) const
     {
@@ -186,12 +202,107 @@ TEST_F(AdaptiveSquare, DoesNotLookAheadOfABandThatWidens)
   };
   const Vector values = phase_field(cut);
   const auto   places = places_to_refine(fields, values, rule);
-  for (const Point<dim> &place : places)
+  for (const Point<dim> &place : places.growing)
     // what lies outside the body refines nothing
     if (place[0] >= 0. && place[0] <= 1.)
     {
       EXPECT_LT(std::abs(place[1] - 0.5), 0.2) << place;
     }
+}
+
+
+
+// A crack grows out of a wide fine band: behind it the band becomes narrow.
+class CoarseningSquare : public AdaptiveSquare
+{
+protected:
+  CoarseningSquare()
+  {
+    rule.finest_level = 2;
+    rule.margin       = 0.2;
+    refine_around(phase_field(crack_to(0.3)));
+    rule.margin      = 0.05;
+    rule.kept_margin = 0.;
+    phi              = phase_field(crack_to(0.7));
+    elastic = interpolated(fields.elastic, fields.elastic_dofs, quadratic);
+  }
+
+  // from the left edge to (tip, 0.5), 1 from a distance of 0.125 on
+  static std::function<double(const Point<dim> &)>
+  crack_to(const double tip)
+  {
+    return [tip](const Point<dim> &p) {
+      return std::min(1., 8. * p.distance({std::min(p[0], tip), 0.5}));
+    };
+  }
+
+  // where it was fine, and is not damaged
+  const Point<dim> beside = {0.1, 0.72};
+  Vector           phi, elastic;
+};
+
+
+
+TEST_F(CoarseningSquare, MakesIntactCellsCoarseAgain)
+{
+  ASSERT_EQ(level_at(beside), 2u);
+  ASSERT_LT(level_at({0.69, 0.51}), 2u);
+  refine_and_coarsen([](const auto &) { return false; }, elastic, phi);
+  EXPECT_LT(level_at(beside), 2u);
+  // at the crack, old and new, they are fine
+  for (const double x : {0.01, 0.26, 0.4, 0.69})
+    EXPECT_EQ(level_at({x, 0.51}), 2u) << x;
+}
+
+
+
+TEST_F(CoarseningSquare, LeavesCellsThatWereRefinedAtTheStart)
+{
+  refine_and_coarsen(
+    [](const auto &cell) { return cell->center()[0] < 0.25; }, elastic, phi);
+  EXPECT_EQ(level_at(beside), 2u);
+  EXPECT_EQ(level_at({0.1, 0.28}), 2u);
+  EXPECT_LT(level_at({0.4, 0.72}), 2u);
+}
+
+
+
+TEST_F(CoarseningSquare, LeavesDamagedCells)
+{
+  // a little damage everywhere, as of a density without an elastic stage
+  phi *= 0.999;
+  refine_and_coarsen([](const auto &) { return false; }, elastic, phi);
+  EXPECT_EQ(level_at(beside), 2u);
+}
+
+
+
+TEST_F(CoarseningSquare, CarriesTheFieldsOverExactly)
+{
+  refine_and_coarsen([](const auto &) { return false; }, elastic, phi);
+  const Vector expected =
+    interpolated(fields.elastic, fields.elastic_dofs, quadratic);
+  for (const auto dof : fields.elastic_dofs.relevant)
+    EXPECT_NEAR(elastic(dof), expected(dof), 1e-13);
+  // nodes that were there before
+  const auto whole = [](const double x, const unsigned int n) {
+    return std::abs(n * x - std::round(n * x)) < 1e-9;
+  };
+  unsigned int n_compared = 0;
+  for (const auto &cell : fields.phase_field.active_cell_iterators())
+    if (cell->is_locally_owned())
+      for (const unsigned int v : cell->vertex_indices())
+      {
+        const Point<dim> p         = cell->vertex(v);
+        const bool       at_damage = p[0] < 0.25 && std::abs(p[1] - 0.5) < 0.13;
+        const unsigned int n       = at_damage ? 32 : 8;
+        if (!whole(p[0], n) || !whole(p[1], n))
+          continue;
+        ++n_compared;
+        EXPECT_NEAR(phi(cell->vertex_dof_index(v, 0)), crack_to(0.7)(p), 1e-14)
+          << p;
+      }
+  EXPECT_GT(dealii::Utilities::MPI::sum(n_compared, MPI_COMM_WORLD), 200u);
 }
 
 
@@ -226,7 +337,7 @@ TEST_F(AdaptiveSquare, LeavesNoDamagedCellCoarseHoweverDistorted)
   fields.distribute();
   constraints.reinit();
   const Vector values = phase_field(cracked);
-  for (const auto &place : places_to_refine(fields, values, rule))
+  for (const auto &place : places_to_refine(fields, values, rule).growing)
     for (const auto &cell : triangulation.active_cell_iterators())
       for (const unsigned int v : cell->vertex_indices())
         if (cell->is_locally_owned() && cell->vertex(v) == place)
@@ -234,7 +345,7 @@ TEST_F(AdaptiveSquare, LeavesNoDamagedCellCoarseHoweverDistorted)
           for (const auto &other : triangulation.active_cell_iterators())
             if (other->is_locally_owned())
               other->clear_refine_flag();
-          flag_cells_near<dim>({place}, rule, triangulation);
+          flag_cells_near<dim>({{place}, {}}, rule, triangulation);
           EXPECT_TRUE(cell->refine_flag_set()) << cell->center();
         }
 }
