@@ -23,7 +23,8 @@ paths: how far the crack paths of two runs lie apart at the end.
 
 picture: one field of a run (--field phase_field, displacement, displacement_y,
 pressure, stress_xx, ...) at the moment nearest to --time, or at the end;
---deformed shows the deformed body without its broken cells, --window a part.
+--deformed shows the deformed body without its broken cells, --window a part. In
+3-d the outside is seen along z.
 
 opening: crack_opening.csv of the last step, beside exact values where --exact
 gives an expression in x, the position along the line (mm).

@@ -103,9 +103,13 @@ def draw(runs, title, per_thickness, references):
         return figure
 
 
-def write(runs, path, title, per_thickness, references):
-    figure = draw(runs, title, per_thickness, references)
+def save(figure, path, salt):
+    """As SVG or PNG; equal figures make equal files."""
     options = {"metadata": {"Date": None}} if path.endswith(".svg") else {"dpi": 130}
-    settings = {"svg.hashsalt": "curves", "svg.fonttype": "none"}
+    settings = {"svg.hashsalt": salt, "svg.fonttype": "none"}
     with matplotlib.rc_context(dict(curves.STYLE, **settings)):
         figure.savefig(path, bbox_inches="tight", facecolor="white", **options)
+
+
+def write(runs, path, title, per_thickness, references):
+    save(draw(runs, title, per_thickness, references), path, "curves")

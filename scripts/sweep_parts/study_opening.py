@@ -10,7 +10,7 @@ from matplotlib.figure import Figure
 from report_parts import curves
 
 from . import studies
-from .study_curves import HUES
+from .study_curves import HUES, save
 
 FUNCTIONS = {name: getattr(np, name) for name in
              ("sqrt", "sin", "cos", "exp", "log", "abs", "where", "pi")}
@@ -76,8 +76,4 @@ def draw(lines, exact):
 
 
 def write(directory, path, exact):
-    options = {"metadata": {"Date": None}} if path.endswith(".svg") else {"dpi": 130}
-    settings = {"svg.hashsalt": "opening", "svg.fonttype": "none"}
-    with matplotlib.rc_context(dict(curves.STYLE, **settings)):
-        draw(read_lines(directory), exact).savefig(
-            path, bbox_inches="tight", facecolor="white", **options)
+    save(draw(read_lines(directory), exact), path, "opening")

@@ -60,6 +60,32 @@ def points_and_faces(fields, deformed):
     return points, pictures.unbroken_faces(fields, points, scale or 0.)
 
 
+def told_apart(fields):
+    """Coordinates that differ on the two faces of an open slit of the mesh,
+    whose points are in one place: there the displacement is appended."""
+    displacement = fields.data.get("displacement")
+    if displacement is None or not np.abs(displacement).max() > 0.:
+        return fields.points
+    place = vtu.merged_points(fields.points)
+    low = np.full((place.max() + 1, displacement.shape[1]), np.inf)
+    high = -low
+    np.minimum.at(low, place, displacement)
+    np.maximum.at(high, place, displacement)
+    largest = np.abs(displacement).max()
+    is_open = (high - low).max(axis=1) > 1e-4 * largest
+    extent = np.ptp(fields.points, axis=0).max()
+    return np.hstack([fields.points, np.where(
+        is_open[place][:, None], displacement * (extent / largest), 0.)])
+
+
+def label_of(name, limits):
+    """(limits, words for the colour bar); small lengths in micrometres."""
+    unit = unit_of(name)
+    if unit == "mm" and max(map(abs, limits)) < 0.02:
+        limits, unit = tuple(1000. * limit for limit in limits), "µm"
+    return limits, name.replace("_", " ") + (" (%s)" % unit if unit else "")
+
+
 def add_bar(figure, limits, label):
     """A colour bar in a strip that is added below."""
     width, height = figure.get_size_inches()
@@ -71,7 +97,7 @@ def add_bar(figure, limits, label):
     drawn = figure.colorbar(ScalarMappable(Normalize(*limits), OTHER_COLORS),
                             cax=bar, orientation="horizontal")
     drawn.outline.set_visible(False)
-    drawn.locator = matplotlib.ticker.MaxNLocator(4)
+    drawn.locator = matplotlib.ticker.MaxNLocator(3)
     drawn.update_ticks()
     bar.tick_params(labelsize=6.5, length=2, color=curves.GREY)
     figure.text(0.53, 0.6 * BAR / (height + BAR), label, fontsize=7,
@@ -103,11 +129,10 @@ def draw(fields, path, options):
             pictures.lines(axes, fields.points,
                            pictures.outline_of(fields.points, fields.faces), 0.6,
                            curves.GREY)
-        pictures.lines(axes, points, pictures.outline_of(fields.points, faces), 0.8)
+        pictures.lines(axes, points,
+                       pictures.outline_of(told_apart(fields), faces), 0.8)
     if not is_phase_field:
-        unit = unit_of(options.field)
-        add_bar(figure, limits, options.field.replace("_", " ")
-                + (" (%s)" % unit if unit else ""))
+        add_bar(figure, *label_of(options.field, limits))
     return figure
 
 
