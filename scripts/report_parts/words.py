@@ -178,12 +178,13 @@ def remarks_of(results, force):
                           .rstrip("."), summary["exit_status"]))
     remarks += results.remarks
     rest, work = moments.imbalance(results), results.column("external_work_mJ")
+    stored = results.column("elastic_energy_mJ")
     if rest is not None and max(abs(work)) > 0.:
-        share = rest[-1] / max(abs(work))
+        share = rest[-1] / max(max(abs(work)), max(abs(stored)))
         if abs(share) > 0.05:
             remarks.append(
                 "The energies do not balance: at the end %.0f %% of the largest "
-                "external work is neither stored nor spent on the crack. A crack "
+                "external work or stored energy is neither stored nor spent on the crack. A crack "
                 "that runs through in one step loses energy in reality too (as "
                 "motion); elsewhere it means that steps or cells are too coarse."
                 % (100. * share))
