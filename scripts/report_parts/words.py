@@ -145,7 +145,11 @@ def key_figures(results, force):
         start = summary.get("outcome_start")
         figures.append(("Crack", crack[0].upper() + crack[1:],
                         "starts at: %s" % start
-                        if start and start != crack else ""))
+                        if start and start not in (crack, "not traced") else ""))
+    area = results.column("crack_area_mm2")
+    if area is not None:
+        figures.append(("Crack area", number(area[-1], "mm²"),
+                        number(area[0], "mm²") + " at the start"))
     dofs = last_known(results, "dofs")
     if dofs is not None:
         cells = last_known(results, "cells")
