@@ -4,12 +4,14 @@
 
   scripts/make_meshes.py [DIRECTORY]
 
-Block meshes of quadrilaterals, coarse: the .prm refines them where the crack
-is to run. Every mesh is a list of grid lines in two directions, a rule for
-nodes that are doubled along slits, a place for every node, and names for pieces
-of the boundary.
+Block meshes, coarse: the .prm refines them where the crack is to run. Every mesh
+of the plane is a list of grid lines in two directions, a rule for nodes that are
+doubled along slits, a place for every node, and names for pieces of the
+boundary. The mesh in 3-d is made of nested cubes, one of which is drawn out to a
+sphere.
 """
 
+import itertools
 import os
 import sys
 
@@ -52,16 +54,22 @@ def write_mesh(path, xs, ys, boundary_of, names, place, opened=None):
     body = len(names) + 1
     for ring in rings:
         elements.append((3, body, tuple(number[n] for n in ring)))
+    write_gmsh(path, [(1, name) for name in names] + [(2, "body")],
+               [place(xs[node[0]], ys[node[1]], node[2]) + (0.,)
+                for node in nodes], elements)
+
+
+def write_gmsh(path, physical, points, elements):
+    """physical: (dimension, name) of the numbers 1 and up. elements: (Gmsh's
+    type, physical number, nodes from 1)."""
     with open(path, "w") as out:
         out.write("$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$PhysicalNames\n")
-        out.write("%d\n" % (len(names) + 1))
-        for k, name in enumerate(names):
-            out.write('1 %d "%s"\n' % (k + 1, name))
-        out.write('2 %d "body"\n$EndPhysicalNames\n' % body)
-        out.write("$Nodes\n%d\n" % len(nodes))
-        for node in nodes:
-            x, y = place(xs[node[0]], ys[node[1]], node[2])
-            out.write("%d %.15g %.15g 0\n" % (number[node], x, y))
+        out.write("%d\n" % len(physical))
+        for k, (dimension, name) in enumerate(physical):
+            out.write('%d %d "%s"\n' % (dimension, k + 1, name))
+        out.write("$EndPhysicalNames\n$Nodes\n%d\n" % len(points))
+        for k, point in enumerate(points):
+            out.write("%d %.15g %.15g %.15g\n" % ((k + 1,) + tuple(point)))
         out.write("$EndNodes\n$Elements\n%d\n" % len(elements))
         for k, (kind, tag, vertices) in enumerate(elements):
             out.write("%d %d 2 %d %d %s\n" %
@@ -103,11 +111,69 @@ def bending_beam(path):
                ["bottom", "right", "top", "left", "notch", "load"], place, opened)
 
 
+def sides_of_cube(n):
+    """(normal's axis, its sign, quadrilateral) of the n * n faces of each side;
+    corners are integers from 0 to n, counterclockwise from outside."""
+    for axis, end in itertools.product(range(3), (0, n)):
+        for i, j in itertools.product(range(n), repeat=2):
+            quad = []
+            for a, b in ((i, j), (i + 1, j), (i + 1, j + 1), (i, j + 1)):
+                corner = [0, 0, 0]
+                corner[axis] = end
+                corner[(axis + 1) % 3], corner[(axis + 2) % 3] = a, b
+                quad.append(tuple(corner))
+            yield axis, end, quad if end else quad[::-1]
+
+
+def block_with_inclusion(path):
+    """Cube of 2 mm around the origin with a sphere of radius 0.4 mm."""
+    n, n_inside, n_outside = 4, 1, 3
+    core, radius, half = 0.2, 0.4, 1.
+    n_layers = n_inside + n_outside
+
+    def place(corner, layer):
+        """Layer 0: the innermost cube; n_inside: the sphere; last: the block."""
+        cube = [2. * i / n - 1. for i in corner]
+        to_sphere = radius / sum(x * x for x in cube) ** 0.5
+        if layer <= n_inside:
+            share, ends = layer / n_inside, (core, to_sphere)
+        else:
+            share, ends = (layer - n_inside) / n_outside, (to_sphere, half)
+        return tuple(x * ((1. - share) * ends[0] + share * ends[1]) for x in cube)
+
+    nodes, points = {}, []
+
+    def node(corner, layer):
+        if (corner, layer) not in nodes:
+            on_cube = any(i in (0, n) for i in corner)
+            points.append(place(corner, layer) if on_cube else
+                          tuple(core * (2. * i / n - 1.) for i in corner))
+            nodes[corner, layer] = len(points)
+        return nodes[corner, layer]
+
+    elements, unit = [], ((0, 0, 0), (1, 0, 0), (1, 1, 0), (0, 1, 0))
+    for axis, end, quad in sides_of_cube(n):
+        elements.append((3, 2 * axis + (end > 0) + 1,
+                         tuple(node(corner, n_layers) for corner in quad)))
+    for corner in itertools.product(range(n), repeat=3):
+        elements.append((5, 8, tuple(
+            node(tuple(c + s for c, s in zip(corner, (x, y, z + up))), 0)
+            for up in (0, 1) for x, y, z in unit)))
+    for layer in range(n_layers):
+        for _, _, quad in sides_of_cube(n):
+            elements.append((5, 8 if layer < n_inside else 7, tuple(
+                node(corner, layer + up) for up in (0, 1) for corner in quad)))
+    write_gmsh(path, [(2, name) for name in ("left", "right", "bottom", "top",
+                                             "back", "front")]
+               + [(3, "matrix"), (3, "inclusion")], points, elements)
+
+
 def main():
     here = os.path.dirname(os.path.abspath(__file__))
     where = sys.argv[1] if len(sys.argv) > 1 else os.path.join(
         here, "..", "meshes")
     bending_beam(os.path.join(where, "bending_beam.msh"))
+    block_with_inclusion(os.path.join(where, "block_with_inclusion.msh"))
 
 
 if __name__ == "__main__":

@@ -30,11 +30,12 @@ namespace MixedCracks
     double branch_changes;
   };
 
-  /// Energies per mm of thickness (N).
+  /// Energies per mm of thickness (N), in 3-d in mJ.
   struct Energies
   {
-    double elastic = 0.;
-    double crack   = 0.;
+    double elastic       = 0.;
+    double crack         = 0.;
+    double crack_surface = 0.; ///< integral of the crack density; mm, 3-d mm^2
   };
 
   /// Cell averages for the output, one entry per active cell.

@@ -52,6 +52,10 @@ namespace MixedCracks
     /// G_c times the crack surface of the cell, N (mJ per mm thickness).
     double energy() const;
 
+    /// The crack surface of the cell, the integral of the crack density: mm (in
+    /// 3-d mm^2).
+    double crack_surface() const;
+
     /// Integrals of the shape functions: the lumped mass matrix, mm^2.
     void lumped_mass(dealii::Vector<double> &result) const;
 
@@ -65,6 +69,9 @@ namespace MixedCracks
       dealii::Tensor<1, dim> gradient;
       double                 driving_force;
     };
+
+    /// The crack density at a quadrature point, 1/mm.
+    double density_at(unsigned int q) const;
 
     const Material<dim>     &material;
     ScalarShapes<dim>        shapes;

@@ -2,6 +2,7 @@
 #ifndef mixed_cracks_core_case_signature_h
 #define mixed_cracks_core_case_signature_h
 
+#include <deal.II/base/mpi.h>
 #include <deal.II/base/parameter_handler.h>
 
 #include <string>
@@ -10,8 +11,11 @@ namespace MixedCracks
 {
   /// "Subsection/Entry = value" lines of the entries that make up a case, and
   /// hence must not change when a run is resumed: all but those on load
-  /// steps, solvers and output, except for points that are watched.
-  std::string case_signature(const dealii::ParameterHandler &prm);
+  /// steps, solvers and output, except for points that are watched. An entry
+  /// "File name" is followed by a checksum of what the file holds. Collective;
+  /// the first rank reads the files.
+  std::string case_signature(const dealii::ParameterHandler &prm,
+                             MPI_Comm communicator = MPI_COMM_WORLD);
 
   /// Throws InputError with the first difference when @p now is not the case
   /// that @p before is of.

@@ -36,6 +36,9 @@ namespace MixedCracks
     unsigned int          refinements         = 0;
     double                crack_volume        = 0.; ///< mm^3, where asked for
     std::vector<double>   point_displacements;      ///< mm; components in turn
+    /// integral of the crack density: in 2-d a length in mm (whatever the
+    /// thickness), in 3-d an area in mm^2
+    double crack_surface = 0.;
 
     /// Length of the force vector, N.
     double force_size() const;
@@ -45,6 +48,9 @@ namespace MixedCracks
     /// holds back, and what a pressure law without an energy hides.
     double energy_imbalance(const StatisticsRow &start) const;
   };
+
+  /// What the crack surface is called in statistics.csv and summary.json.
+  std::string crack_surface_name(int dim);
 
   /// statistics.csv: one row per accepted step, flushed as it is written, and
   /// kept for the summary. Rank 0 writes.

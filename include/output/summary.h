@@ -23,6 +23,7 @@ namespace MixedCracks
     double       thickness          = 1.; ///< mm
     bool         separated          = false;
     bool         with_crack_volume  = false;
+    int          dimension          = 2;
     Outcome      cracks;
     std::string  exit_reason;
     int          exit_status    = 0;

@@ -45,12 +45,18 @@ def drawing(width, height):
 
 
 def displacement_of(results):
-    """(values, label) of the horizontal axis."""
+    """(values, label) of the horizontal axis: where nothing is moved, time."""
+    known = []
     for name, label in (("displacement_mm", "Displacement (mm)"),
                         ("time_s", "Time (s)")):
         values = results.column(name)
         if values is not None and np.isfinite(values).any():
+            known.append((values, label))
+    for values, label in known:
+        if np.nanmax(np.abs(values)) > 0.:
             return values, label
+    if known:
+        return known[0]
     return np.arange(results.n_steps, dtype=float), "Step"
 
 
@@ -94,7 +100,7 @@ def mark_peak_and_separation(axes, x, force, unit):
         left = force.values[force.separation]
         annotated(axes, x[force.separation], left,
                   "separated: %.3g N left (%.0f %%)" % (left, 100. * left / top),
-                  GREEN, (-11, 9), "right")
+                  GREEN, (-11, 9 if left < 0.1 * top else -12), "right")
 
 
 def energy_curves(results):

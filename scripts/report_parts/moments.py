@@ -60,15 +60,16 @@ def separation_index(force, peak, results):
 
 
 def imbalance(results):
-    """External work minus stored elastic minus dissipated crack energy (mJ).
-    Crack energy of the first row belongs to the initial cracks: nobody did
-    work for it."""
+    """External work minus stored elastic minus dissipated crack energy since the
+    start (mJ). Crack energy of the first row belongs to the initial cracks, what
+    is stored then to loads that are there from the start: nobody did work for
+    them."""
     work = results.column("external_work_mJ")
     elastic = results.column("elastic_energy_mJ")
     crack = results.column("crack_energy_mJ")
     if work is None or elastic is None or crack is None:
         return None
-    return work - elastic - (crack - crack[0])
+    return (work - work[0]) - (elastic - elastic[0]) - (crack - crack[0])
 
 
 def onset_index(results, force):

@@ -92,7 +92,7 @@ def field_sections(results, force, remarks):
         return section("The crack", "<p class=\"note\">%s</p>" % why_no_fields(results)
                        + path_part(results, None, remarks))
     times = [time for time, _ in collection]
-    figures, drawn = [], []
+    drawn = []
     for index, text in moments.chosen_moments(results, force, times):
         time, path = collection[index]
         try:
@@ -103,18 +103,15 @@ def field_sections(results, force, remarks):
         except vtu.FieldError as error:
             remarks.append("A picture is missing: %s." % error)
             continue
-        draw = solids.crack_picture if solids.is_solid(fields) else \
-            pictures.phase_field_picture
-        figures.append((draw(fields), caption(results, force, time, text)))
         drawn.append((time, text, fields))
     if not drawn:
         return section("The crack", "<p class=\"note\">None of the files of fields "
                        "could be drawn.</p>" + path_part(results, None, remarks))
     first, last = drawn[0][2], drawn[-1]
     if solids.is_solid(first):
-        return section("The crack", row(figures, solids.common_window([first.points]))
-                       + "<p class=\"note\">%s</p>" % solids.NOTE, "long") \
-            + sections_part(results, *last) + body_section(results, drawn)
+        return solid_sections(results, force, drawn)
+    figures = [(pictures.phase_field_picture(fields),
+                caption(results, force, time, text)) for time, text, fields in drawn]
     note = "Phase field φ on the undeformed body" \
         + ("." if pictures.is_flat(first) else ", seen along z.")
     return section("The crack", "<p class=\"note\">%s</p>%s%s%s"
@@ -123,11 +120,27 @@ def field_sections(results, force, remarks):
         + body_section(results, drawn)
 
 
-def sections_part(results, time, text, fields):
+def solid_sections(results, force, drawn):
+    """The same of a body in 3-d."""
+    last = drawn[-1][2]
+    region = solids.region_of(last)
+    figures = [(solids.crack_picture(fields, region),
+                caption(results, force, time, text)) for time, text, fields in drawn]
+    note = solids.NOTE
+    if solids.is_enlarged(last, region):
+        note = note.replace("the edges of the undeformed body",
+                            "a box of %s from the undeformed body"
+                            % words.number((region[1] - region[0]).max(), "mm"))
+    return section("The crack", row(figures, solids.common_window(
+        [solids.corners_of(region)])) + "<p class=\"note\">%s</p>" % note, "long") \
+        + sections_part(results, region, *drawn[-1]) + body_section(results, drawn)
+
+
+def sections_part(results, region, time, text, fields):
     """Plane sections through a body in 3-d."""
     figures, windows = [], []
     for axis, position in solids.section_planes(fields):
-        picture, window = solids.section_picture(fields, axis, position)
+        picture, window = solids.section_picture(fields, axis, position, region)
         figures.append((picture, "<b>%s = %s</b>%s to the right, %s upwards"
                         % (("xyz"[axis], words.number(position, "mm"))
                            + tuple("xyz"[i] for i in solids.section_axes(axis)))))

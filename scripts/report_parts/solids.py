@@ -2,6 +2,8 @@
 """Pictures of bodies in 3-d as PNG: the surface of the crack within the edges of
 the body, plane sections, mesh and deformed body. Parallel projection, far faces
 first; x to the right, y upwards, z towards the viewer."""
+import itertools
+
 import numpy as np
 from matplotlib.collections import LineCollection, PolyCollection
 from matplotlib.colors import to_rgb
@@ -77,24 +79,63 @@ def triangle_normals(triangles):
                                   triangles[:, 2] - triangles[:, 0]))
 
 
-def crack_picture(fields, pixels=560):
-    """PNG of the surface phi = 0.5 within the edges of the body; dark where it
-    comes out of the body."""
+def region_of(fields):
+    """Corners (low, high) of what is worth drawing: the body, or the crack and
+    its surroundings where it is much smaller in every direction."""
+    low, high = fields.points.min(axis=0), fields.points.max(axis=0)
+    broken = fields.points[fields.data["phase_field"] < LEVEL]
+    if len(broken):
+        middle = 0.5 * (broken.max(axis=0) + broken.min(axis=0))
+        reach = max(0.8 * np.ptp(broken, axis=0).max(), 0.02 * (high - low).min())
+        if reach < 0.125 * (high - low).min():
+            return middle - reach, middle + reach
+    return low, high
+
+
+def corners_of(region):
+    return np.array(list(itertools.product(*zip(*region))))
+
+
+def is_enlarged(fields, region):
+    return bool((region[1] - region[0] < 0.5 * np.ptp(fields.points, axis=0)).all())
+
+
+def edges_of_region(region):
+    """Those of a box, as edges_of_body()."""
+    corners = corners_of(region)
+    faces = np.array([(0, 2, 6, 4), (1, 3, 7, 5), (0, 1, 5, 4), (2, 3, 7, 6),
+                      (0, 1, 3, 2), (4, 5, 7, 6)])
+    normals = np.kron(np.eye(3), [[-1.], [1.]])
+    return surfaces.feature_edges(corners, faces, normals)
+
+
+def draw_crack(axes, fields, region):
+    """The surface phi = 0.5 within the edges of the body, or of the region if
+    that is a small one; dark where the crack comes out of the body."""
     phase_field = np.clip(fields.data["phase_field"], 0., 1.)
+    towards = view()[2]
+    edges = edges_of_region(region) if is_enlarged(fields, region) else \
+        edges_of_body(fields)
+    add_edges(axes, edges, towards, hidden=True)
     triangles, _ = surfaces.level_set(fields.points, fields.cells, phase_field,
                                       LEVEL)
-    caps = surfaces.caps(fields.points, fields.faces, phase_field, LEVEL)
-    figure, axes = pictures.canvas(common_window([fields.points]), pixels)
-    edges, towards = edges_of_body(fields), view()[2]
-    add_edges(axes, edges, towards, hidden=True)
-    polygons = [seen(triangle) for triangle in triangles] \
-        + [seen(polygon) for polygon in caps]
-    if polygons:
-        colors = np.concatenate([
-            shaded(to_rgb(CRACK), triangle_normals(triangles)),
-            np.tile(to_rgb(CUT), (len(caps), 1))])
-        add_polygons(axes, polygons, colors)
+    if len(triangles):
+        add_polygons(axes, [seen(triangle) for triangle in triangles],
+                     shaded(to_rgb(CRACK), triangle_normals(triangles)))
+    normals = surfaces.normals_of(fields.points, fields.cells, fields.faces)
+    caps = surfaces.caps(fields.points, fields.faces[normals @ towards > 0.],
+                         phase_field, LEVEL)
+    if caps:
+        add_polygons(axes, [seen(polygon) for polygon in caps],
+                     np.tile(to_rgb(CUT), (len(caps), 1)))
     add_edges(axes, edges, towards, hidden=False)
+
+
+def crack_picture(fields, region=None, pixels=560):
+    """PNG of the surface of the crack."""
+    region = region or region_of(fields)
+    figure, axes = pictures.canvas(common_window([corners_of(region)]), pixels)
+    draw_crack(axes, fields, region)
     return pictures.png_of(figure)
 
 
@@ -118,19 +159,27 @@ def section_axes(axis):
     return {0: (2, 1), 1: (0, 2), 2: (0, 1)}[axis]
 
 
-def section_picture(fields, axis, position):
-    """(PNG of the phase field in a plane, its window)."""
+def draw_section(axes, fields, axis, position):
+    """The phase field in a plane."""
     phase_field = np.clip(fields.data["phase_field"], 0., 1.)
     triangles, values = surfaces.plane_section(fields.points, fields.cells,
                                                phase_field, axis, position)
-    across = list(section_axes(axis))
-    window = pictures.window_of(fields.points[:, across])
-    figure, axes = pictures.canvas(window)
-    corners = triangles.reshape(-1, 3)[:, across]
+    corners = triangles.reshape(-1, 3)[:, list(section_axes(axis))]
     if len(corners):
         axes.tripcolor(corners[:, 0], corners[:, 1],
                        np.arange(len(corners)).reshape(-1, 3), values.ravel(),
                        shading="gouraud", cmap=pictures.COLORS, vmin=0., vmax=1.)
+
+
+def section_window(region, axis):
+    return pictures.window_of(corners_of(region)[:, list(section_axes(axis))])
+
+
+def section_picture(fields, axis, position, region=None):
+    """(PNG of the phase field in a plane, its window)."""
+    window = section_window(region or region_of(fields), axis)
+    figure, axes = pictures.canvas(window)
+    draw_section(axes, fields, axis, position)
     return pictures.png_of(figure), window
 
 

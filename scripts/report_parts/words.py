@@ -145,7 +145,11 @@ def key_figures(results, force):
         start = summary.get("outcome_start")
         figures.append(("Crack", crack[0].upper() + crack[1:],
                         "starts at: %s" % start
-                        if start and start != crack else ""))
+                        if start and start not in (crack, "not traced") else ""))
+    area = results.column("crack_area_mm2")
+    if area is not None:
+        figures.append(("Crack area", number(area[-1], "mm²"),
+                        number(area[0], "mm²") + " at the start"))
     dofs = last_known(results, "dofs")
     if dofs is not None:
         cells = last_known(results, "cells")
@@ -178,12 +182,13 @@ def remarks_of(results, force):
                           .rstrip("."), summary["exit_status"]))
     remarks += results.remarks
     rest, work = moments.imbalance(results), results.column("external_work_mJ")
+    stored = results.column("elastic_energy_mJ")
     if rest is not None and max(abs(work)) > 0.:
-        share = rest[-1] / max(abs(work))
+        share = rest[-1] / max(max(abs(work)), max(abs(stored)))
         if abs(share) > 0.05:
             remarks.append(
                 "The energies do not balance: at the end %.0f %% of the largest "
-                "external work is neither stored nor spent on the crack. A crack "
+                "external work or stored energy is neither stored nor spent on the crack. A crack "
                 "that runs through in one step loses energy in reality too (as "
                 "motion); elsewhere it means that steps or cells are too coarse."
                 % (100. * share))

@@ -277,9 +277,12 @@ namespace MixedCracks
       cells->phase_field.read(cell, phase_field, local_phase_field);
       phase_field_kernel.set_state(local_phase_field, nothing);
       sum.crack += phase_field_kernel.energy();
+      sum.crack_surface += phase_field_kernel.crack_surface();
     }
-    sum.elastic = Utilities::MPI::sum(sum.elastic, fields.communicator());
-    sum.crack   = Utilities::MPI::sum(sum.crack, fields.communicator());
+    const MPI_Comm communicator = fields.communicator();
+    sum.elastic       = Utilities::MPI::sum(sum.elastic, communicator);
+    sum.crack         = Utilities::MPI::sum(sum.crack, communicator);
+    sum.crack_surface = Utilities::MPI::sum(sum.crack_surface, communicator);
     return sum;
   }
 

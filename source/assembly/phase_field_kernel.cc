@@ -62,16 +62,37 @@ namespace MixedCracks
 
   template <int dim>
   double
-  PhaseFieldKernel<dim>::energy() const
+  PhaseFieldKernel<dim>::density_at(const unsigned int q) const
   {
     const double        length  = material.description().length_scale;
     const CrackDensity &density = material.crack_density();
-    double              sum     = 0.;
+    return density.local(points[q].phase_field) / length +
+           density.gradient_coefficient() * length *
+             points[q].gradient.norm_square();
+  }
+
+
+
+  template <int dim>
+  double
+  PhaseFieldKernel<dim>::energy() const
+  {
+    double sum = 0.;
     for (unsigned int q = 0; q < points.size(); ++q)
       sum += geometry->weights[q] * constants[q].critical_energy_release_rate *
-             (density.local(points[q].phase_field) / length +
-              density.gradient_coefficient() * length *
-                points[q].gradient.norm_square());
+             density_at(q);
+    return sum;
+  }
+
+
+
+  template <int dim>
+  double
+  PhaseFieldKernel<dim>::crack_surface() const
+  {
+    double sum = 0.;
+    for (unsigned int q = 0; q < points.size(); ++q)
+      sum += geometry->weights[q] * density_at(q);
     return sum;
   }
 

@@ -3,12 +3,36 @@
 #include <core/errors.h>
 #include <core/parameter_tree.h>
 
+#include <fstream>
 #include <sstream>
 
 namespace MixedCracks
 {
+  namespace
+  {
+    // FNV-1a, 64 bits, and the size; of the file as the first rank sees it
+    std::string
+    contents_of(const std::string &path, const MPI_Comm communicator)
+    {
+      std::string result;
+      if (dealii::Utilities::MPI::this_mpi_process(communicator) == 0)
+      {
+        std::ifstream      file(path, std::ios::binary);
+        unsigned long long sum = 14695981039346656037ULL, size = 0;
+        for (char byte; file.get(byte); ++size)
+          sum = (sum ^ static_cast<unsigned char>(byte)) * 1099511628211ULL;
+        result =
+          std::to_string(size) + " bytes, checksum " + std::to_string(sum);
+      }
+      return dealii::Utilities::MPI::broadcast(communicator, result);
+    }
+  } // namespace
+
+
+
   std::string
-  case_signature(const dealii::ParameterHandler &prm)
+  case_signature(const dealii::ParameterHandler &prm,
+                 const MPI_Comm                  communicator)
   {
     std::string       text;
     const std::string free_to_change[] = {
@@ -21,8 +45,12 @@ namespace MixedCracks
         fixed = fixed && entry.path.front() != subsection;
       // whose columns of statistics.csv go on
       fixed = fixed || entry.full_name() == "Output/Displacement at points";
-      if (fixed)
-        text += entry.full_name() + " = " + entry.value + '\n';
+      if (!fixed)
+        continue;
+      text += entry.full_name() + " = " + entry.value + '\n';
+      if (entry.name == "File name" && !entry.value.empty())
+        text += "contents of " + entry.full_name() + ": " +
+                contents_of(entry.value, communicator) + '\n';
     }
     return text;
   }

@@ -52,6 +52,7 @@ namespace MixedCracks
       state.elastic, state.lagged_phase_field, state.phase_field);
     row.elastic_energy = thickness * energies.elastic;
     row.crack_energy   = thickness * energies.crack;
+    row.crack_surface  = energies.crack_surface;
     external_work += thickness * elastic_step->external_work(before, state);
     row.external_work       = external_work;
     row.min_phase_field     = smallest_phase_field(state);
@@ -201,6 +202,7 @@ namespace MixedCracks
     for (const auto &[name, seconds] :
          timer.get_summary_data(TimerOutput::total_wall_time))
       summary.phases[name] = Utilities::MPI::max(seconds, communicator);
+    summary.dimension         = dim;
     summary.with_crack_volume = parameters.crack_opening.crack_volume;
     summary.warnings          = warnings;
     return summary;

@@ -37,6 +37,7 @@ namespace MixedCracks
       action(row.rejected_steps);
       action(row.refinements);
       action(row.crack_volume);
+      action(row.crack_surface);
     }
   } // namespace
 

@@ -21,7 +21,8 @@ namespace MixedCracks
              "min_phase_field,max_phase_field_change,newton_iterations,"
              "linear_iterations,active_set_size,cells,dofs,wall_time_s,"
              "coupling_iterations,coupling_change,factorizations,"
-             "rejected_steps,refinements,energy_imbalance_mJ";
+             "rejected_steps,refinements,energy_imbalance_mJ," +
+             crack_surface_name(dim);
     }
 
 
@@ -45,7 +46,8 @@ namespace MixedCracks
           << row.wall_time << ',' << row.coupling_iterations << ','
           << row.coupling_change << ',' << row.factorizations << ','
           << row.rejected_steps << ',' << row.refinements << ','
-          << std::setprecision(10) << row.energy_imbalance(first);
+          << std::setprecision(10) << row.energy_imbalance(first) << ','
+          << row.crack_surface;
       if (with_crack_volume)
         out << ',' << row.crack_volume;
       for (const double displacement : row.point_displacements)
@@ -72,6 +74,14 @@ namespace MixedCracks
     return external_work - start.external_work -
            (elastic_energy - start.elastic_energy) -
            (crack_energy - start.crack_energy);
+  }
+
+
+
+  std::string
+  crack_surface_name(const int dim)
+  {
+    return dim == 2 ? "crack_length_mm" : "crack_area_mm2";
   }
 
 

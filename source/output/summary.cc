@@ -133,6 +133,9 @@ namespace MixedCracks
     json.add("residual_stiffness", summary.residual_stiffness);
     json.add("thickness_mm", summary.thickness);
     add_peak(json, rows);
+    if (!rows.empty())
+      json.add(crack_surface_name(summary.dimension),
+               rows.back().crack_surface);
     if (summary.with_crack_volume && !rows.empty())
       json.add("crack_volume_mm3", rows.back().crack_volume);
     json.raw("separated", summary.separated ? "true" : "false");

@@ -33,6 +33,8 @@ SHORT = {
         "Mesh/Refined boxes=-1.5,-0.5 : 1.5,0.5 : 3"],
     "sneddon_3d.prm": ["Mesh/Refined boxes=-2,-2,-2 : 2,2,2 : 1"],
     "slit_cube.prm": ["Mesh/Adaptive levels=0"],
+    "heterogeneous_block.prm": ["Mesh/Adaptive levels=0"],
+    "block_with_inclusion.prm": ["Mesh/Adaptive levels=0"],
 }
 
 

@@ -2,7 +2,9 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 """Surfaces, sections and edges of bodies in 3-d against exact measures."""
 import os
+import subprocess
 import sys
+import tempfile
 import unittest
 
 HERE = os.path.dirname(os.path.abspath(__file__))
@@ -15,7 +17,7 @@ if __name__ == "__main__":
 import matplotlib  # noqa: E402
 import numpy as np  # noqa: E402
 matplotlib.use("Agg")
-from report_parts import solids, surfaces, vtu  # noqa: E402
+from report_parts import page, solids, surfaces, vtu  # noqa: E402
 
 CORNERS = np.array([(0, 0, 0), (1, 0, 0), (1, 1, 0), (0, 1, 0),
                     (0, 0, 1), (1, 0, 1), (1, 1, 1), (0, 1, 1)], float)
@@ -135,6 +137,70 @@ class Pictures(unittest.TestCase):
         planes = dict(solids.section_planes(self.fields))
         self.assertAlmostEqual(planes[0], 0.5)
         self.assertAlmostEqual(planes[1], 0.75)  # nodes at 3/4 are broken only
+
+
+class Runs(unittest.TestCase):
+    """The directory of a run with one cracked cube, written as ASCII."""
+
+    def setUp(self):
+        self.folder = tempfile.TemporaryDirectory()
+        self.addCleanup(self.folder.cleanup)
+        self.write("fields.pvd", '<DataSet timestep="0" file="cube.vtu"/>\n')
+
+    def write(self, name, text):
+        with open(os.path.join(self.folder.name, name), "w") as stream:
+            stream.write(text)
+
+    def write_cube(self, points, cells, phase_field):
+        def array(kind, name, values, components=1):
+            return ('<DataArray type="%s" Name="%s" NumberOfComponents="%d" '
+                    'format="ascii">%s</DataArray>' % (
+                        kind, name, components, " ".join(map(str, values))))
+
+        n = len(cells)
+        self.write("cube.vtu", '<VTKFile type="UnstructuredGrid" byte_order='
+                   '"LittleEndian"><UnstructuredGrid><Piece NumberOfPoints="%d" '
+                   'NumberOfCells="%d"><Points>' % (len(points), n)
+                   + array("Float64", "points", points.ravel(), 3)
+                   + "</Points><Cells>"
+                   + array("Int32", "connectivity", cells.ravel())
+                   + array("Int32", "offsets", 8 * np.arange(1, n + 1))
+                   + array("UInt8", "types", n * [12]) + "</Cells><PointData>"
+                   + array("Float64", "phase_field", phase_field)
+                   + "</PointData></Piece></UnstructuredGrid></VTKFile>")
+
+    def picture(self, *options):
+        return subprocess.run(
+            [sys.executable, "-B", os.path.join(HERE, "..", "..", "scripts",
+                                                "picture_3d.py"),
+             self.folder.name, "--output",
+             os.path.join(self.folder.name, "out.png")] + list(options),
+            stdout=subprocess.PIPE, stderr=subprocess.PIPE, universal_newlines=True)
+
+    def test_page_and_picture(self):
+        points, cells, _ = grid(4)
+        self.write_cube(points, cells, np.abs(2. * points[:, 1] - 1.))
+        text = page.written(self.folder.name)
+        self.assertIn("<h2>Sections</h2>", text)
+        self.assertIn("y = 0.5", text)
+        self.assertEqual(text.count("data:image/png"), 1 + 3 + 1)
+        self.assertEqual(self.picture("--sections", "xz").returncode, 0)
+        with open(os.path.join(self.folder.name, "out.png"), "rb") as stream:
+            self.assertEqual(stream.read(4), b"\x89PNG")
+        answer = self.picture("--steps", "3")
+        self.assertEqual(answer.returncode, 2)
+        self.assertIn("found 3, allowed are -1 to 0", answer.stderr)
+
+    def test_small_cracks_are_enlarged(self):
+        points, cells, _ = grid(16)
+        self.write_cube(points, cells, np.where(
+            np.linalg.norm(points - 0.5, axis=1) < 0.05, 0., 1.))
+        self.assertIn("a box of", page.written(self.folder.name))
+
+    def test_no_fields(self):
+        answer = self.picture()
+        self.assertEqual(answer.returncode, 2)
+        self.assertIn("there are no fields", answer.stderr)
 
 
 if __name__ == "__main__":

@@ -105,8 +105,25 @@ def main():
         out = run(1, whole, "--resume", status=2, case=(
             CASE, [*COARSE[:-1], "Output/Displacement at points=left : 1, 20"]))
         assert "Output/Displacement at points" in out, out
+        changed_map(pathlib.Path(temporary))
         in_3d(pathlib.Path(temporary) / "whole 3d",
               pathlib.Path(temporary) / "parts 3d")
+
+
+def changed_map(folder):
+    """A table of the material that has changed makes another case of it."""
+    table, results = folder / "map.csv", folder / "with map"
+    table.write_text("x,y,value\n0,0,1\n20,0,1.1\n")
+    settings = ["Material/Map/File name=%s" % table,
+                "Material/Critical energy release rate=17*map"]
+    stopped = settings + ["Output/Wall time limit=1e-6"]
+    run(1, results, settings=stopped, status=5)
+    text = table.read_text()
+    table.write_text(text.replace("1.1", "1.2"))
+    out = run(2, results, "--resume", settings=settings, status=2)
+    assert "contents of Material/Map/File name" in out, out
+    table.write_text(text)
+    run(2, results, "--resume", settings=stopped, status=5)
 
 
 def in_3d(whole, parts):
