@@ -56,6 +56,11 @@ namespace MixedCracks
 
     void set_up();
 
+    void drop_hierarchy();
+
+    /// The weighted mass matrix and the coupling, and a scale for its rows.
+    void set_up_pressure(const LinearAlgebra::SparseMatrix &mass);
+
     /// Weights of the Jacobi sweep for the present values of the matrix.
     void set_smoothing();
 
@@ -80,7 +85,9 @@ namespace MixedCracks
     std::vector<bool>           is_displacement;
     std::unique_ptr<Multigrid>  multigrid;
     std::unique_ptr<MassSolver> mass_solver;
-    LinearAlgebra::Vector       row_scale;
+    /// B^T at the time of the set-up; empty without a pressure
+    std::unique_ptr<Epetra_CrsMatrix> coupling;
+    LinearAlgebra::Vector             row_scale;
     /// of the Jacobi sweep, by row; empty without one
     LinearAlgebra::Vector smoothing;
     double                smoothing_damping    = 0.;

@@ -57,6 +57,9 @@ namespace MixedCracks
     std::function<std::vector<std::vector<double>>()> rigid_body_modes;
     /// assemble for the present values of the matrix. Collective.
     std::function<AuxiliaryMatrices()> auxiliary;
+    /// does the work handed over and books its time as set-up, not as
+    /// solution; may be empty
+    std::function<void(const std::function<void()> &work)> as_set_up;
   };
 
   /// Options of all solvers; each takes what concerns it.

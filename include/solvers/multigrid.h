@@ -17,11 +17,18 @@ class Ifpack_Preconditioner;
 
 namespace MixedCracks
 {
-  /// The rows and columns of @p matrix whose owned rows have @p chosen set,
-  /// renumbered without gaps: a copy with values of its own. Collective.
+  /// The owned rows of a square @p matrix that have @p rows set, and the
+  /// columns that have @p columns set, both renumbered without gaps: a copy
+  /// with values of its own. Collective.
   std::unique_ptr<Epetra_CrsMatrix>
   extract_block(const Epetra_CrsMatrix  &matrix,
-                const std::vector<bool> &chosen);
+                const std::vector<bool> &rows,
+                const std::vector<bool> &columns);
+
+  /// @p result = @p matrix * @p source, owned entries only. Collective.
+  void multiply(const Epetra_CrsMatrix &matrix,
+                double                 *result,
+                const double           *source);
 
   /// One cycle of algebraic multigrid for an elastic operator: smoothed
   /// aggregation by ML, Vanek, Mandel and Brezina, Computing 56 (1996), with

@@ -10,13 +10,15 @@ namespace MixedCracks
 
   namespace
   {
-    // bytes that a direct solution was seen to need, factors of the (u, p)
-    // matrix included (doc/performance.md); in 3-d their number grows with the
-    // power 4/3 of that of the dofs
+    // bytes that whole runs were seen to need, factors or hierarchy of the
+    // (u, p) matrix included (doc/performance.md); in 3-d the number of
+    // entries of factors grows with the power 4/3 of that of the dofs
     template <int dim>
     double
-    bytes_of_direct_solution(const double n_dofs)
+    bytes_of_solution(const std::string &solver, const double n_dofs)
     {
+      if (solver == "block AMG")
+        return (dim == 2 ? 2500. : 9000.) * n_dofs;
       return dim == 2 ? 3500. * n_dofs : 450. * std::pow(n_dofs, 4. / 3.);
     }
 
@@ -89,9 +91,13 @@ namespace MixedCracks
     if (material_field->varies())
       log.line(in_words(material_range));
     log.line(locking_in_words(material_range, model.mixed()));
-    log.line(printed("memory: about %.2g GB with the direct solver, all ranks "
-                     "together",
-                     1e-9 * bytes_of_direct_solution<dim>(fields.n_dofs())));
+    const std::string solver =
+      choose_linear_solver(parameters.solver.name, dim, fields.elastic.n_dofs())
+        .name;
+    log.line(printed("memory: about %.2g GB with the linear solver '%s', all "
+                     "ranks together",
+                     1e-9 * bytes_of_solution<dim>(solver, fields.n_dofs()),
+                     solver.c_str()));
   }
 
 

@@ -53,31 +53,27 @@ namespace MixedCracks
   public:
     explicit Preconditioner(const BlockAmgSolver &solver)
       : solver(solver)
-      , n(solver.is_displacement.size())
-      , pressure(solver.row_scale)
       , rest(solver.row_scale)
     {}
 
     void
     vmult(Vector &result, const Vector &source) const
     {
-      const double *r = source.begin(), *scale = solver.row_scale.begin();
-      rest = 0.;
+      gather(source, solver.is_displacement, forces);
+      displacements.resize(forces.size());
       if (solver.has_pressure)
       {
-        solve_pressure(r);
-        // of the product only the rows of displacements are used
-        solver.system.matrix->vmult(rest, pressure);
+        gather(source, solver.system.is_pressure, fluxes);
+        pressures.resize(fluxes.size());
+        solver.mass_solver->vmult(pressures.data(), fluxes.data());
+        for (double &pressure : pressures)
+          pressure *= -1.;
+        multiply(*solver.coupling, displacements.data(), pressures.data());
+        for (std::size_t k = 0; k < forces.size(); ++k)
+          forces[k] -= displacements[k];
       }
-      part.clear();
-      for (std::size_t i = 0; i < n; ++i)
-        if (solver.is_displacement[i])
-          part.push_back(solver.system.is_constrained[i]
-                           ? 0.
-                           : r[i] / scale[i] - rest.begin()[i]);
-      solution.resize(part.size());
-      solver.multigrid->vmult(solution.data(), part.data());
-      put_together(r, result);
+      solver.multigrid->vmult(displacements.data(), forces.data());
+      put_together(source, result);
       if (solver.smoothing.size() > 0)
       {
         solver.system.matrix->vmult(rest, result);
@@ -88,50 +84,40 @@ namespace MixedCracks
     }
 
   private:
-    // -S~^-1 of the pressure rows of r; 0 in those of displacements
+    // chosen rows, not scaled; 0 where a constraint determines the unknown
     void
-    solve_pressure(const double *r) const
+    gather(const Vector            &source,
+           const std::vector<bool> &chosen,
+           std::vector<double>     &part) const
     {
-      const double *scale = solver.row_scale.begin();
+      const double *r = source.begin(), *scale = solver.row_scale.begin();
       part.clear();
-      for (std::size_t i = 0; i < n; ++i)
-        if (!solver.is_displacement[i])
+      for (std::size_t i = 0; i < chosen.size(); ++i)
+        if (chosen[i])
           part.push_back(solver.system.is_constrained[i] ? 0.
-                                                         : -r[i] / scale[i]);
-      solution.resize(part.size());
-      solver.mass_solver->vmult(solution.data(), part.data());
-      std::size_t next = 0;
-      for (std::size_t i = 0; i < n; ++i)
-        if (!solver.is_displacement[i])
-        {
-          const double value  = solution[next++];
-          pressure.begin()[i] = solver.system.is_constrained[i] ? 0. : value;
-        }
-        else
-          pressure.begin()[i] = 0.;
+                                                         : r[i] / scale[i]);
     }
 
-    // solution and pressure into one vector
     void
-    put_together(const double *r, Vector &result) const
+    put_together(const Vector &source, Vector &result) const
     {
-      const double *scale  = solver.row_scale.begin();
-      double       *values = result.begin();
-      std::size_t   next   = 0;
-      for (std::size_t i = 0; i < n; ++i)
+      const double *r = source.begin(), *scale = solver.row_scale.begin();
+      std::size_t   next_displacement = 0, next_pressure = 0;
+      for (std::size_t i = 0; i < solver.is_displacement.size(); ++i)
       {
-        values[i] =
-          solver.is_displacement[i] ? solution[next++] : pressure.begin()[i];
-        if (solver.system.is_constrained[i])
-          // stands alone in its row
-          values[i] = r[i] / scale[i] / solver.matrix_diagonal;
+        const double value = solver.is_displacement[i]
+                               ? displacements[next_displacement++]
+                               : pressures[next_pressure++];
+        // what is constrained stands alone in its row
+        result.begin()[i] = solver.system.is_constrained[i]
+                              ? r[i] / scale[i] / solver.matrix_diagonal
+                              : value;
       }
     }
 
     const BlockAmgSolver       &solver;
-    const std::size_t           n;
-    mutable Vector              pressure, rest;
-    mutable std::vector<double> part, solution;
+    mutable Vector              rest;
+    mutable std::vector<double> forces, fluxes, displacements, pressures;
   };
 
 
@@ -150,8 +136,7 @@ namespace MixedCracks
   BlockAmgSolver::initialize(const LinearSystem &new_system)
   {
     system = new_system;
-    multigrid.reset();
-    mass_solver.reset();
+    drop_hierarchy();
     smoothing.clear();
     GrowingVectorMemory<Vector>::release_unused_memory();
     is_displacement = system.is_pressure;
@@ -256,7 +241,12 @@ namespace MixedCracks
       earlier = outcome.iterations;
     }
     if (!multigrid || is_old)
-      set_up();
+    {
+      if (system.as_set_up)
+        system.as_set_up([this]() { set_up(); });
+      else
+        set_up();
+    }
     LinearOutcome outcome = iterate(
       relative_tolerance, options.max_iterations, solution, right_hand_side);
     outcome.iterations += earlier;

@@ -84,42 +84,61 @@ namespace MixedCracks
 
 
   void
-  BlockAmgSolver::set_up()
+  BlockAmgSolver::drop_hierarchy()
   {
     multigrid.reset();
     mass_solver.reset();
-    const MPI_Comm communicator       = system.matrix->get_mpi_communicator();
+    coupling.reset();
+  }
+
+
+
+  void
+  BlockAmgSolver::set_up_pressure(const LinearAlgebra::SparseMatrix &mass)
+  {
+    const Epetra_CrsMatrix &all = system.matrix->trilinos_matrix();
+    coupling    = extract_block(all, is_displacement, system.is_pressure);
+    mass_solver = std::make_unique<MassSolver>(extract_block(
+      mass.trilinos_matrix(), system.is_pressure, system.is_pressure));
+    // broken cells have large entries: the mean of the inverses is that of
+    // the intact ones
+    const double scale =
+      std::sqrt(matrix_diagonal * mean_diagonal(mass.trilinos_matrix(),
+                                                system.is_pressure,
+                                                true,
+                                                mass.get_mpi_communicator()));
+    for (std::size_t i = 0; i < system.is_pressure.size(); ++i)
+      if (system.is_pressure[i])
+        row_scale.begin()[i] = scale;
+  }
+
+
+
+  void
+  BlockAmgSolver::set_up()
+  {
+    drop_hierarchy();
     const AuxiliaryMatrices auxiliary = system.auxiliary();
     const Epetra_CrsMatrix &elastic =
       (auxiliary.displacement != nullptr ? auxiliary.displacement
                                          : system.matrix)
         ->trilinos_matrix();
-    multigrid =
-      std::make_unique<Multigrid>(extract_block(elastic, is_displacement),
-                                  system.n_components,
-                                  system.rigid_body_modes());
+    multigrid = std::make_unique<Multigrid>(
+      extract_block(elastic, is_displacement, is_displacement),
+      system.n_components,
+      system.rigid_body_modes());
     if (auxiliary.displacement != nullptr)
     {
       smoothing_damping = 0.;
       set_smoothing();
     }
-    matrix_diagonal = mean_diagonal(
-      system.matrix->trilinos_matrix(), is_displacement, false, communicator);
-    row_scale = 1.;
+    matrix_diagonal = mean_diagonal(system.matrix->trilinos_matrix(),
+                                    is_displacement,
+                                    false,
+                                    system.matrix->get_mpi_communicator());
+    row_scale       = 1.;
     if (has_pressure)
-    {
-      const Epetra_CrsMatrix &mass = auxiliary.pressure->trilinos_matrix();
-      mass_solver =
-        std::make_unique<MassSolver>(extract_block(mass, system.is_pressure));
-      // broken cells have large entries: the mean of the inverses is that of
-      // the intact ones
-      const double scale =
-        std::sqrt(matrix_diagonal *
-                  mean_diagonal(mass, system.is_pressure, true, communicator));
-      for (std::size_t i = 0; i < system.is_pressure.size(); ++i)
-        if (system.is_pressure[i])
-          row_scale.begin()[i] = scale;
-    }
+      set_up_pressure(*auxiliary.pressure);
     is_old               = false;
     iterations_per_digit = 0.;
     ++n_hierarchies;

@@ -69,55 +69,93 @@ namespace MixedCracks
 
 
 
-  std::unique_ptr<Epetra_CrsMatrix>
-  extract_block(const Epetra_CrsMatrix &matrix, const std::vector<bool> &chosen)
+  namespace
   {
-    const int        n_chosen = std::count(chosen.begin(), chosen.end(), true);
-    const Epetra_Map rows(-1, n_chosen, 0, matrix.Comm());
-    // new numbers of the columns, -1 for those left out
-    Epetra_IntVector owned(matrix.DomainMap());
-    for (int row = 0, next = 0; row < owned.MyLength(); ++row)
-      owned[row] = chosen[row] ? rows.GID(next++) : -1;
-    Epetra_IntVector numbers(matrix.ColMap());
-    if (const Epetra_Import *importer = matrix.Importer())
-      numbers.Import(owned, *importer, Insert);
-    else
-      numbers = owned;
+    // numbers in the block of the columns of a matrix, -1 for those left out
+    Epetra_IntVector
+    numbers_in_block(const Epetra_CrsMatrix  &matrix,
+                     const Epetra_Map        &block_columns,
+                     const std::vector<bool> &chosen)
+    {
+      Epetra_IntVector owned(matrix.DomainMap());
+      for (int column = 0, next = 0; column < owned.MyLength(); ++column)
+        owned[column] = chosen[column] ? block_columns.GID(next++) : -1;
+      Epetra_IntVector numbers(matrix.ColMap());
+      if (const Epetra_Import *importer = matrix.Importer())
+        numbers.Import(owned, *importer, Insert);
+      else
+        numbers = owned;
+      return numbers;
+    }
 
-    int    *starts, *columns;
+
+
+    Epetra_Map
+    map_of(const std::vector<bool> &chosen, const Epetra_Comm &communicator)
+    {
+      const int n_owned = std::count(chosen.begin(), chosen.end(), true);
+      return Epetra_Map(-1, n_owned, 0, communicator);
+    }
+  } // namespace
+
+
+
+  std::unique_ptr<Epetra_CrsMatrix>
+  extract_block(const Epetra_CrsMatrix  &matrix,
+                const std::vector<bool> &rows,
+                const std::vector<bool> &columns)
+  {
+    const Epetra_Map       block_rows    = map_of(rows, matrix.Comm());
+    const Epetra_Map       block_columns = map_of(columns, matrix.Comm());
+    const Epetra_IntVector numbers =
+      numbers_in_block(matrix, block_columns, columns);
+
+    int    *starts, *indices;
     double *values;
-    AssertThrow(matrix.ExtractCrsDataPointers(starts, columns, values) == 0,
+    AssertThrow(matrix.ExtractCrsDataPointers(starts, indices, values) == 0,
                 ExcMessage("the matrix is not compressed"));
     std::vector<int> lengths;
     for (int row = 0; row < matrix.NumMyRows(); ++row)
-      if (chosen[row])
+      if (rows[row])
         lengths.push_back(std::count_if(
-          columns + starts[row],
-          columns + starts[row + 1],
+          indices + starts[row],
+          indices + starts[row + 1],
           [&](const int column) { return numbers[column] >= 0; }));
-    auto block =
-      std::make_unique<Epetra_CrsMatrix>(Copy, rows, lengths.data(), true);
-    std::vector<int>    block_columns;
-    std::vector<double> block_values;
+    auto block = std::make_unique<Epetra_CrsMatrix>(
+      Copy, block_rows, lengths.data(), true);
+    std::vector<int>    found;
+    std::vector<double> found_values;
     for (int row = 0, next = 0; row < matrix.NumMyRows(); ++row)
-      if (chosen[row])
+      if (rows[row])
       {
-        block_columns.clear();
-        block_values.clear();
+        found.clear();
+        found_values.clear();
         for (int k = starts[row]; k < starts[row + 1]; ++k)
-          if (numbers[columns[k]] >= 0)
+          if (numbers[indices[k]] >= 0)
           {
-            block_columns.push_back(numbers[columns[k]]);
-            block_values.push_back(values[k]);
+            found.push_back(numbers[indices[k]]);
+            found_values.push_back(values[k]);
           }
-        block->InsertGlobalValues(rows.GID(next++),
-                                  block_columns.size(),
-                                  block_values.data(),
-                                  block_columns.data());
+        block->InsertGlobalValues(block_rows.GID(next++),
+                                  found.size(),
+                                  found_values.data(),
+                                  found.data());
       }
-    block->FillComplete();
+    block->FillComplete(block_columns, block_rows);
     block->OptimizeStorage();
     return block;
+  }
+
+
+
+  void
+  multiply(const Epetra_CrsMatrix &matrix, double *result, const double *source)
+  {
+    const Epetra_Vector in(
+      View, matrix.DomainMap(), const_cast<double *>(source));
+    Epetra_Vector out(View, matrix.RangeMap(), result);
+    const int     error = matrix.Multiply(false, in, out);
+    AssertThrow(error == 0, ExcMessage("a product with a matrix failed"));
   }
 
 

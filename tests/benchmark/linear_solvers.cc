@@ -4,24 +4,23 @@
 //
 // Iterations, seconds and memory of the linear solvers on a square or cube
 // that is pulled apart; doc/solvers.md has the tables and the commands. Prints
-// one row of a Markdown table per system.
+// one row of a Markdown table per system. Memory: what the solver adds per
+// unknown, resident after the solution and at its peak; of a second solver in
+// the same process it lacks what the first one has left to the allocator.
 //
 //   studies: sizes (uniform meshes), adaptive, incompressibility (lambda/mu),
-//            damage (kappa, intact to broken), orderings (of MUMPS)
+//            damage (kappa, intact to broken), orderings (of MUMPS),
+//            beside (both solvers on uniform meshes, one row for both)
 //   --dim 2|3  --largest UNKNOWNS  --smallest UNKNOWNS  --displacement
 //   --solver "block AMG"|direct|both  --worst (broken through, kappa = 1e-6)
 //   --tolerance 1e-8  --random (right hand side)
-#include "../unit/elastic_system.h"
+#include "measurement.h"
 
 #include <core/log.h>
-
-#include <deal.II/base/timer.h>
-#include <deal.II/base/utilities.h>
 
 #include <solvers/direct_solver.h>
 #include <solvers/mumps.h>
 
-#include <iostream>
 #include <random>
 
 namespace
@@ -78,26 +77,6 @@ namespace
 
 
 
-  // resident memory of all ranks, now, in MB
-  double
-  memory()
-  {
-    dealii::Utilities::System::MemoryStats stats;
-    dealii::Utilities::System::get_memory_stats(stats);
-    return dealii::Utilities::MPI::sum(stats.VmRSS / 1024., MPI_COMM_WORLD);
-  }
-
-
-
-  void
-  print(const std::string &line)
-  {
-    if (dealii::Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0)
-      std::cout << line << std::endl;
-  }
-
-
-
   std::string
   in_words(const ElasticSystemOptions &options)
   {
@@ -114,61 +93,23 @@ namespace
 
 
 
-  // of the processor, on the rank that takes longest: what else the machine
-  // does matters less
-  double
-  seconds_of(const std::function<void()> &work)
-  {
-    MPI_Barrier(MPI_COMM_WORLD);
-    const dealii::Timer timer;
-    work();
-    return dealii::Utilities::MPI::max(timer.cpu_time(), MPI_COMM_WORLD);
-  }
-
-
-
-  // one row: set-up is the analysis too, the first solve after it not
   template <int dim>
   void
-  measure(const std::string         &name,
-          ElasticSystem<dim>        &system,
-          const Arguments           &arguments,
-          const LinearSolverOptions &options = {})
+  print_row(const ElasticSystem<dim> &system, const Measurement &measured)
   {
-    const double memory_before = memory();
-    const auto   solver        = all_linear_solvers().make(name, options);
-    auto         solution      = system.right_hand_side;
-    const auto   require       = [](const LinearOutcome &outcome) {
-      if (!outcome.success)
-        print("failed: " + outcome.reason);
-    };
-    const double analysis =
-      seconds_of([&]() { require(solver->initialize(system.system())); });
-    const double  setup = seconds_of([&]() {
-      require(solver->factorize());
-      // iterative solvers set up when they are first asked; nothing to solve
-      // to this tolerance
-      require(solver->solve(solution, system.right_hand_side, 0.99));
-    });
-    LinearOutcome outcome;
-    const double  solve = seconds_of([&]() {
-      outcome =
-        solver->solve(solution, system.right_hand_side, arguments.tolerance);
-    });
-    require(outcome);
-    const double n = system.fields.elastic.n_dofs();
-    print(
-      printed("| %d | %u | %.0f | %s | %s | %u | %.2f | %.2f | %.2f | %.2f |",
-              dim,
-              dealii::Utilities::MPI::n_mpi_processes(MPI_COMM_WORLD),
-              n,
-              in_words(system.options).c_str(),
-              solver->description().c_str(),
-              outcome.iterations,
-              analysis,
-              setup,
-              solve,
-              (memory() - memory_before) * 1024. / n));
+    print(printed("| %d | %u | %u | %s | %s | %u | %.2f | %.2f | %.2f | %.2f | "
+                  "%.2f |",
+                  dim,
+                  dealii::Utilities::MPI::n_mpi_processes(MPI_COMM_WORLD),
+                  static_cast<unsigned int>(system.fields.elastic.n_dofs()),
+                  in_words(system.options).c_str(),
+                  measured.solver.c_str(),
+                  measured.iterations,
+                  measured.analysis,
+                  measured.setup,
+                  measured.solve,
+                  measured.resident,
+                  measured.peak));
   }
 
 
@@ -204,7 +145,7 @@ namespace
       randomize(system);
     for (const std::string name : {"block AMG", "direct"})
       if (arguments.solver == name || arguments.solver == "both")
-        measure<dim>(name, system, arguments);
+        print_row(system, measure<dim>(name, system, arguments.tolerance));
   }
 
 
@@ -264,6 +205,42 @@ namespace
     for (options.refinements = first; options.refinements <= last;
          ++options.refinements)
       measure<dim>(options, arguments);
+  }
+
+
+
+  // as the table of doc/solvers.md has it
+  template <int dim>
+  void
+  study_beside(const Arguments &arguments)
+  {
+    ElasticSystemOptions options = basic(arguments);
+    const unsigned int   last    = options.refinements;
+    for (options.refinements = refinements_for(arguments, arguments.smallest);
+         options.refinements <= last;
+         ++options.refinements)
+    {
+      ElasticSystem<dim> system(options);
+      const Measurement  amg =
+        measure<dim>("block AMG", system, arguments.tolerance);
+      const Measurement direct =
+        measure<dim>("direct", system, arguments.tolerance);
+      print(printed(
+        "| %d-d, %u | %u | %u | %.2f | %.2f | %.2f | %.2f | %.2f | %.1f | %.1f "
+        "|",
+        dim,
+        static_cast<unsigned int>(system.fields.elastic.n_dofs()),
+        dealii::Utilities::MPI::n_mpi_processes(MPI_COMM_WORLD),
+        amg.iterations,
+        amg.analysis + amg.setup,
+        amg.solve,
+        direct.analysis,
+        // a solution is in the set-up of both
+        direct.setup - direct.solve,
+        direct.solve,
+        amg.peak,
+        direct.peak));
+    }
   }
 
 
@@ -333,23 +310,36 @@ namespace
 
 
 
+  std::string
+  head_of(const std::string &study)
+  {
+    if (study == "orderings")
+      return "| dim | ranks | unknowns | ordering | used | entries of factors "
+             "| analysis, s | factorisation, s | solve, s | |\n"
+             "|---|---|---|---|---|---|---|---|---|---|";
+    if (study == "beside")
+      return "| unknowns | ranks | iterations | AMG set-up | AMG solve | MUMPS "
+             "analysis | factors | solve | AMG peak kB | MUMPS peak kB |\n"
+             "|---|---|---:|---:|---:|---:|---:|---:|---:|---:|";
+    return "| dim | ranks | unknowns | mesh | broken | lambda/mu | kappa | "
+           "solver | iterations | analysis, s | set-up, s | solve, s | kB per "
+           "unknown | peak |\n"
+           "|---|---|---|---|---|---|---|---|---|---|---|---|---|---|";
+  }
+
+
+
   template <int dim>
   void
   run(const Arguments &arguments)
   {
-    const std::string row(
-      "| dim | ranks | unknowns | mesh | broken | lambda/mu | kappa | solver "
-      "| iterations | analysis, s | set-up, s | solve, s | kB per unknown |");
-    if (arguments.study == "orderings")
-      print("| dim | ranks | unknowns | ordering | used | entries of factors | "
-            "analysis, s | factorisation, s | solve, s | |\n"
-            "|---|---|---|---|---|---|---|---|---|---|");
-    else
-      print(row + "\n|---|---|---|---|---|---|---|---|---|---|---|---|---|");
+    print(head_of(arguments.study));
     if (arguments.study == "sizes")
       study_sizes<dim>(arguments, 0);
     else if (arguments.study == "adaptive")
       study_sizes<dim>(arguments, dim == 2 ? 4 : 2);
+    else if (arguments.study == "beside")
+      study_beside<dim>(arguments);
     else if (arguments.study == "incompressibility")
       study_incompressibility<dim>(arguments);
     else if (arguments.study == "damage")

@@ -75,7 +75,6 @@ namespace MixedCracks
         constraints.reinit();
         assembler = std::make_unique<Assembler<dim>>(fields, material);
         assembler->reinit();
-        auxiliaries.reinit();
         make_sparse_matrix(fields.elastic,
                            fields.elastic_dofs,
                            constraints.elastic_corrections(),
@@ -120,13 +119,24 @@ namespace MixedCracks
             constraints.elastic_corrections().is_constrained(dof));
         result.rigid_body_modes = [this]() { return rigid_body_modes(fields); };
         result.auxiliary        = [this]() {
-          auxiliaries.assemble(*assembler);
+          assemble_auxiliaries();
           return AuxiliaryMatrices{
             auxiliaries.has_displacement() ? &auxiliaries.displacement()
                                                   : nullptr,
             options.mixed ? &auxiliaries.pressure() : nullptr};
         };
         return result;
+      }
+
+      /// For the state of the last assemble(). Their patterns are made when
+      /// they are first asked for: they belong to the solvers that ask.
+      void
+      assemble_auxiliaries()
+      {
+        if (!auxiliaries_are_there)
+          auxiliaries.reinit();
+        auxiliaries_are_there = true;
+        auxiliaries.assemble(*assembler);
       }
 
       const ElasticSystemOptions                        options;
@@ -246,7 +256,8 @@ namespace MixedCracks
         return result;
       }
 
-      double cell_size = 0.; // of the finest cells
+      double cell_size             = 0.; // of the finest cells
+      bool   auxiliaries_are_there = false;
     };
   } // namespace Testing
 } // namespace MixedCracks

@@ -313,7 +313,7 @@ TEST(AuxiliaryMatrices, HaveTheEnergyOfTheElasticOnesForLinearDisplacements)
   // on an even mesh, intact and free of bulk stiffness, both are exact for
   // displacements that are linear in space
   ElasticSystem<2> system(mixed(2, 0, 3., 1e-2, Damage::none));
-  system.auxiliaries.assemble(*system.assembler);
+  system.assemble_auxiliaries();
   const auto is_pressure = system.system().is_pressure;
   Vector     source = system.fields.owned_vector(system.fields.elastic_dofs);
   dealii::VectorTools::interpolate(
@@ -341,7 +341,7 @@ TEST(AuxiliaryMatrices, WeighThePressureWithBothCompliances)
 {
   // the sum of all entries is the integral of 1/(2 mu) + 1/lambda
   ElasticSystem<2> system(mixed(2, 1, 3., 1e-2, Damage::none));
-  system.auxiliaries.assemble(*system.assembler);
+  system.assemble_auxiliaries();
   const auto is_pressure = system.system().is_pressure;
   Vector     ones = system.fields.owned_vector(system.fields.elastic_dofs);
   for (std::size_t i = 0; i < is_pressure.size(); ++i)
