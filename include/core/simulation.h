@@ -113,6 +113,9 @@ namespace MixedCracks
 
     Summary summarize(const RunOutcome &outcome);
 
+    /// On the force boundary, with thickness; N.
+    dealii::Tensor<1, dim> force(const State &state) const;
+
     double smallest_phase_field(const State &state) const;
 
     /// Of cells that adaptation has refined as far as it may; mm.

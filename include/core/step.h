@@ -9,6 +9,7 @@
 #include <solvers/fixed_point.h>
 
 #include <functional>
+#include <limits>
 
 namespace MixedCracks
 {
@@ -39,14 +40,18 @@ namespace MixedCracks
     /// the predicted phase field damages cells that are to be refined
     bool mesh_is_too_coarse = false;
     /// left because the phase field was seen to run away from the accepted one
-    bool         runs_away           = false;
-    double       phase_field_change  = 0.; ///< max(phi^(n-1) - phi^n)
-    double       coupling_change     = 0.; ///< last max|phi - phi~|
-    unsigned int coupling_iterations = 0;
-    unsigned int newton_iterations   = 0;
-    unsigned int linear_iterations   = 0;
-    dealii::types::global_dof_index active_set_size    = 0;
-    dealii::types::global_dof_index active_set_changes = 0;
+    bool   runs_away          = false;
+    double phase_field_change = 0.; ///< max(phi^(n-1) - phi^n)
+    double coupling_change    = 0.; ///< last max|phi - phi~|
+    /// of the last iteration in which a crack ran, see Callbacks
+    double remaining_force = std::numeric_limits<double>::infinity();
+    /// a crack ran through the body, and no force is left that could change
+    bool                            is_apart            = false;
+    unsigned int                    coupling_iterations = 0;
+    unsigned int                    newton_iterations   = 0;
+    unsigned int                    linear_iterations   = 0;
+    dealii::types::global_dof_index active_set_size     = 0;
+    dealii::types::global_dof_index active_set_changes  = 0;
     std::string                     reason; ///< why it failed, in words
   };
 
@@ -61,6 +66,11 @@ namespace MixedCracks
       std::function<bool()> stop_requested;
       /// whether this phase field, with ghosts, needs finer cells
       std::function<bool(const LinearAlgebra::Vector &)> needs_finer_mesh;
+      /// the force on the body over that below which the run ends; infinite
+      /// where none ends it
+      std::function<double(const State &)> remaining_force;
+      /// whether cracks of this phase field, with ghosts, separate the body
+      std::function<bool(const LinearAlgebra::Vector &)> is_cut;
     };
 
     StepSolver(ElasticStep<dim>      &elastic,
@@ -97,6 +107,8 @@ namespace MixedCracks
                                        const FixedPhaseField &fixed,
                                        State                 &trial,
                                        StepOutcome           &outcome);
+
+    void look_for_separation(const State &trial, StepOutcome &outcome) const;
 
     void log_iteration(unsigned int            iteration,
                        const NewtonOutcome    &newton,

@@ -61,6 +61,10 @@ namespace MixedCracks
                 double                       displacement, // mm
                 const LinearAlgebra::Vector &phase_field);
 
+    /// Whether the paths of this phase field would separate the body; never
+    /// in 3-d.
+    bool joins_sides(const LinearAlgebra::Vector &phase_field) const;
+
     /// At the end. Throws FileError.
     Outcome finish(const LinearAlgebra::Vector &phase_field);
 

@@ -82,6 +82,13 @@ namespace MixedCracks
       return rejected;
     }
 
+    /// Below this the body counts as separated; of the unit of the forces.
+    double
+    separating_force() const
+    {
+      return parameters.stop_fraction * peak;
+    }
+
     /// Easy steps to come before the step grows again.
     unsigned int
     steps_to_wait() const

@@ -140,6 +140,14 @@ namespace MixedCracks
           if (!statistics.rows().empty())
             crack_observer.watch(phase_field);
           return needs_finer_mesh(phase_field);
+        },
+        [this](const State &state) {
+          const double limit = load_control.separating_force();
+          return limit > 0. ? force(state).norm() / limit
+                            : std::numeric_limits<double>::infinity();
+        },
+        [this](const LinearAlgebra::Vector &phase_field) {
+          return crack_observer.joins_sides(phase_field);
         }},
       communicator,
       log);

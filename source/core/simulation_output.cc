@@ -45,9 +45,9 @@ namespace MixedCracks
     row.step         = static_cast<unsigned int>(statistics.rows().size());
     row.time         = state.time;
     row.displacement = boundary_quantities.displacement(state.time);
-    const Tensor<1, dim> force = boundary_quantities.force(state.reaction);
+    const Tensor<1, dim> force_now = force(state);
     for (unsigned int d = 0; d < dim; ++d)
-      row.force[d] = thickness * force[d];
+      row.force[d] = force_now[d];
     const Energies energies = assembler->energies(
       state.elastic, state.lagged_phase_field, state.phase_field);
     row.elastic_energy = thickness * energies.elastic;
@@ -91,6 +91,16 @@ namespace MixedCracks
     const unsigned int every = parameters.output.checkpoint_every;
     if (every > 0 && row.step > 0 && row.step % every == 0)
       write_checkpoint(state);
+  }
+
+
+
+  template <int dim>
+  Tensor<1, dim>
+  Simulation<dim>::force(const State &state) const
+  {
+    return parameters.thickness_factor() *
+           boundary_quantities.force(state.reaction);
   }
 
 
@@ -214,6 +224,7 @@ namespace MixedCracks
   template void Simulation<dim>::prepare_output(ExistingRun);                 \
   template void Simulation<dim>::record(                                      \
     const State &, const State &, const StepOutcome &);                       \
+  template Tensor<1, dim> Simulation<dim>::force(const State &) const;        \
   template double Simulation<dim>::smallest_phase_field(const State &) const; \
   template void   Simulation<dim>::write_fields_when_due(const State &);      \
   template void   Simulation<dim>::write_fields(const State &, unsigned int); \

@@ -22,6 +22,10 @@ namespace MixedCracks
     // A node fell from (nearly) intact to (nearly) broken in one step.
     constexpr double running_crack_change = 0.9;
 
+    // The force on a body that is apart changes by less than this from one
+    // iteration to the next; of the force below which the run ends.
+    constexpr double steady_force = 0.05;
+
 
 
     // max over the nodes of a - b, or of its modulus
@@ -87,8 +91,9 @@ namespace MixedCracks
   StepSolver<dim>::is_settled(const StepOutcome &outcome) const
   {
     const bool runs = outcome.phase_field_change > running_crack_change;
-    return outcome.coupling_change <
-           (runs ? options.running_tolerance : options.tolerance);
+    return outcome.is_apart ||
+           outcome.coupling_change <
+             (runs ? options.running_tolerance : options.tolerance);
   }
 
 
@@ -187,6 +192,29 @@ namespace MixedCracks
 
 
 
+  // Nodes beside a crack that is through go on breaking one by one, for as many
+  // iterations as the crack took. The run ends with such a step, and nothing
+  // that is looked at depends on them.
+  template <int dim>
+  void
+  StepSolver<dim>::look_for_separation(const State &trial,
+                                       StepOutcome &outcome) const
+  {
+    outcome.is_apart = false;
+    // who wants running cracks as accurate as others gets that to the end
+    if (outcome.phase_field_change <= running_crack_change ||
+        options.running_tolerance <= options.tolerance)
+      return;
+    const double before     = outcome.remaining_force;
+    outcome.remaining_force = callbacks.remaining_force(trial);
+    outcome.is_apart =
+      before < 1. && outcome.remaining_force < 1. &&
+      std::abs(outcome.remaining_force - before) < steady_force &&
+      callbacks.is_cut(trial.phase_field);
+  }
+
+
+
   template <int dim>
   void
   StepSolver<dim>::start(const State &accepted, State &trial)
@@ -245,6 +273,8 @@ namespace MixedCracks
         outcome.mesh_is_too_coarse = true;
         return outcome;
       }
+      if (iterated)
+        look_for_separation(trial, outcome);
       const bool settled = is_settled(outcome) &&
                            newton.last.largest() <= newton_options.tolerance;
       if (!iterated || settled || outcome.phase_field_change > bound)

@@ -32,6 +32,14 @@ namespace MixedCracks
 
 
 
+    bool
+    separates(const Outcome &outcome)
+    {
+      return outcome.path != "none" && outcome.path != "arrested";
+    }
+
+
+
     // numbers as they can be sent: four vertices and their values
     using CellNumbers = std::array<double, 12>;
   } // namespace
@@ -276,12 +284,26 @@ namespace MixedCracks
     std::string                     message;
     if (file)
     {
-      const std::string path =
-        classify(cracks, edges, damage_origins.nuclei(), length_scale).path;
-      is_apart = path != "none" && path != "arrested";
-      message  = file->add(step, time, displacement, cracks);
+      is_apart = separates(
+        classify(cracks, edges, damage_origins.nuclei(), length_scale));
+      message = file->add(step, time, displacement, cracks);
     }
     throw_on_all_ranks(message, fields.communicator());
+    return Utilities::MPI::max(is_apart, fields.communicator()) > 0;
+  }
+
+
+
+  template <int dim>
+  bool
+  CrackObserver<dim>::joins_sides(const Vector &phase_field) const
+  {
+    const std::vector<BoundaryEdge> edges  = boundary_edges();
+    const std::vector<Crack>        cracks = trace(phase_field, edges);
+    // rank 0 knows
+    const int is_apart =
+      file &&
+      separates(classify(cracks, edges, damage_origins.nuclei(), length_scale));
     return Utilities::MPI::max(is_apart, fields.communicator()) > 0;
   }
 

@@ -111,7 +111,9 @@ namespace MixedCracks
         model.running_tolerance,
         "What takes the place of the coupling tolerance in a load step once a "
         "crack runs in it: when phi fell by more than 0.9 somewhere. What is "
-        "left to change is done by the next step. Unit: 1.",
+        "left to change is done by the next step. If it is the larger of the "
+        "two, a step also ends as soon as the body is apart, see Load "
+        "stepping/Stop when force falls below. Unit: 1.",
         Patterns::Double(tiny, 1.));
       prm.add_parameter(
         "Over-relaxation",

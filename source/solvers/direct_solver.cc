@@ -11,8 +11,11 @@ namespace MixedCracks
 {
   namespace
   {
-    const std::string mumps_name    = "MUMPS";
-    const std::string amesos_prefix = "Amesos ";
+    const std::string mumps_name = "MUMPS";
+    // Its analysis is fast, and in 2-d its factors are as small as any
+    // (doc/solvers.md).
+    const std::string ordering_in_2d = "AMD";
+    const std::string amesos_prefix  = "Amesos ";
   } // namespace
 
 
@@ -67,6 +70,8 @@ namespace MixedCracks
   LinearOutcome
   DirectSolver::initialize(const LinearSystem &system)
   {
+    if (ordering == "automatic" && system.n_components == 2)
+      ordering = ordering_in_2d;
     return initialize(*system.matrix, system.symmetry);
   }
 

@@ -209,7 +209,7 @@ namespace MixedCracks
   LoadControl::is_separated(const double force)
   {
     peak = std::max(peak, force);
-    return force < parameters.stop_fraction * peak;
+    return force < separating_force();
   }
 
 

@@ -40,6 +40,7 @@ namespace MixedCracks
 #  include <dmumps_c.h>
 
 #  include <algorithm>
+#  include <cmath>
 
 namespace MixedCracks
 {
@@ -64,6 +65,7 @@ namespace MixedCracks
       global_stream      = 2,
       print_level        = 3,
       ordering_kind      = 6,
+      scaling_kind       = 7,
       workspace_increase = 13, // percent
       matrix_input       = 17,
       analysis_kind      = 27
@@ -72,6 +74,7 @@ namespace MixedCracks
     constexpr int used_ordering       = 6;
     constexpr int entries_of_factors  = 19;
     constexpr int sequential_analysis = 1;
+    constexpr int no_scaling          = 0;
     constexpr int distributed_input   = 3;
     constexpr int initial_workspace   = 30;
     constexpr int largest_workspace   = 2000;
@@ -96,10 +99,11 @@ namespace MixedCracks
     std::vector<MUMPS_INT>   rows, columns;
     std::vector<std::size_t> positions;
     std::vector<double>      values;
-
-    // on the master: which unknowns each rank owns, and the vector of all
-    std::vector<int>    owned;
-    std::vector<int>    counts, offsets;
+    // which unknowns each rank owns; on the master, the vector of all
+    std::vector<int> owned;
+    std::vector<int> counts, offsets;
+    // of rows and columns of a symmetric matrix; 1 for others
+    std::vector<double> scaling;
     std::vector<double> in_rank_order, all;
 
     void
@@ -111,6 +115,7 @@ namespace MixedCracks
 
     void          take_pattern(bool lower_triangle);
     void          take_owners();
+    void          take_values(const double *matrix_values);
     LinearOutcome outcome(const std::string &phase) const;
   };
 
@@ -156,28 +161,58 @@ namespace MixedCracks
       mine[row] = matrix->GRID(row);
     counts.resize(n_ranks);
     offsets.resize(n_ranks, 0);
-    MPI_Gather(
-      &n_owned, 1, MPI_INT, counts.data(), 1, MPI_INT, master, communicator);
+    MPI_Allgather(
+      &n_owned, 1, MPI_INT, counts.data(), 1, MPI_INT, communicator);
+    for (int rank = 1; rank < n_ranks; ++rank)
+      offsets[rank] = offsets[rank - 1] + counts[rank - 1];
+    owned.resize(data.n);
+    scaling.resize(data.n, 1.);
     if (is_master)
     {
-      for (int rank = 1; rank < n_ranks; ++rank)
-        offsets[rank] = offsets[rank - 1] + counts[rank - 1];
-      owned.resize(data.n);
       in_rank_order.resize(data.n);
       all.resize(data.n);
     }
-    MPI_Gatherv(mine.data(),
-                n_owned,
-                MPI_INT,
-                owned.data(),
-                counts.data(),
-                offsets.data(),
-                MPI_INT,
-                master,
-                communicator);
+    MPI_Allgatherv(mine.data(),
+                   n_owned,
+                   MPI_INT,
+                   owned.data(),
+                   counts.data(),
+                   offsets.data(),
+                   MPI_INT,
+                   communicator);
     data.rhs  = all.data();
     data.nrhs = 1;
     data.lrhs = data.n;
+  }
+
+
+
+  // Ones on the diagonal, so that units do not matter. The scaling of MUMPS
+  // itself takes several sweeps over a distributed matrix, in each
+  // factorisation.
+  void
+  Mumps::Implementation::take_values(const double *matrix_values)
+  {
+    for (std::size_t k = 0; k < values.size(); ++k)
+      values[k] = matrix_values[positions[k]];
+    if (data.sym == 0)
+      return;
+    std::vector<double> mine(matrix->NumMyRows(), 1.), gathered(scaling.size());
+    for (std::size_t k = 0; k < values.size(); ++k)
+      if (rows[k] == columns[k] && values[k] != 0.)
+        mine[matrix->LRID(rows[k] - 1)] = 1. / std::sqrt(std::abs(values[k]));
+    MPI_Allgatherv(mine.data(),
+                   mine.size(),
+                   MPI_DOUBLE,
+                   gathered.data(),
+                   counts.data(),
+                   offsets.data(),
+                   MPI_DOUBLE,
+                   communicator);
+    for (std::size_t i = 0; i < scaling.size(); ++i)
+      scaling[owned[i]] = gathered[i];
+    for (std::size_t k = 0; k < values.size(); ++k)
+      values[k] *= scaling[rows[k] - 1] * scaling[columns[k] - 1];
   }
 
 
@@ -234,6 +269,8 @@ namespace MixedCracks
     if (ordering != "automatic")
       // the parallel one has orderings of its own
       data.icntl[analysis_kind] = sequential_analysis;
+    if (data.sym != 0)
+      data.icntl[scaling_kind] = no_scaling;
     data.n = matrix.m();
     my.take_pattern(data.sym != 0);
     my.take_owners();
@@ -258,8 +295,7 @@ namespace MixedCracks
     int            *starts, *columns;
     double         *values;
     my.matrix->ExtractCrsDataPointers(starts, columns, values);
-    for (std::size_t k = 0; k < my.values.size(); ++k)
-      my.values[k] = values[my.positions[k]];
+    my.take_values(values);
     my.run(factorization);
     // more pivoting than the analysis expected
     while ((my.data.infog[0] == too_little_integer ||
@@ -290,10 +326,10 @@ namespace MixedCracks
                 master,
                 my.communicator);
     for (std::size_t i = 0; i < my.all.size(); ++i)
-      my.all[my.owned[i]] = my.in_rank_order[i];
+      my.all[my.owned[i]] = my.in_rank_order[i] * my.scaling[my.owned[i]];
     my.run(solution);
     for (std::size_t i = 0; i < my.all.size(); ++i)
-      my.in_rank_order[i] = my.all[my.owned[i]];
+      my.in_rank_order[i] = my.all[my.owned[i]] * my.scaling[my.owned[i]];
     MPI_Scatterv(my.in_rank_order.data(),
                  my.counts.data(),
                  my.offsets.data(),
@@ -328,68 +364,6 @@ namespace MixedCracks
     const int entries = implementation->data.infog[entries_of_factors];
     // negative: in millions
     return entries < 0 ? -1e6 * entries : entries;
-  }
-} // namespace MixedCracks
-
-#else
-
-namespace MixedCracks
-{
-  struct Mumps::Implementation
-  {};
-
-
-
-  bool
-  Mumps::is_available()
-  {
-    return false;
-  }
-
-
-
-  Mumps::Mumps(const LinearAlgebra::SparseMatrix &,
-               const MatrixSymmetry,
-               LinearOutcome &,
-               const std::string &)
-  {
-    AssertThrow(false, dealii::ExcNotImplemented());
-  }
-
-
-
-  Mumps::~Mumps() = default;
-
-
-
-  LinearOutcome
-  Mumps::factorize()
-  {
-    return {};
-  }
-
-
-
-  LinearOutcome
-  Mumps::solve(LinearAlgebra::Vector &, const LinearAlgebra::Vector &)
-  {
-    return {};
-  }
-
-
-
-  std::string
-  Mumps::ordering() const
-  {
-    return "";
-  }
-
-
-
-  double
-  Mumps::n_entries_of_factors() const
-  {
-    return 0.;
   }
 } // namespace MixedCracks
 

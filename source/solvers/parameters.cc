@@ -23,8 +23,8 @@ namespace MixedCracks
         "Ordering",
         linear.ordering,
         "Of the unknowns, for 'direct' with MUMPS: how many "
-        "entries the factors have depends on it. 'automatic': "
-        "MUMPS chooses. A MUMPS built without the one asked "
+        "entries the factors have depends on it. 'automatic': AMD in "
+        "2-d, in 3-d MUMPS chooses. A MUMPS built without the one asked "
         "for takes another; the log says which.",
         Patterns::Selection(join_names(Mumps::orderings(), "|")));
       prm.add_parameter("Relative tolerance",

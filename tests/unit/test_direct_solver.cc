@@ -148,6 +148,47 @@ TEST_P(EveryDirectSolver, ReportsASingularMatrix)
 
 
 
+// as with units that make stiffnesses large and compressibilities small
+TEST(DirectSolver, SolvesWhereUnitsAreFarApart)
+{
+  const std::vector<double> units = {1e6, 1e6, 1e-7, 1e6, 1e-7};
+  Rows                      rows  = {{2., 0.5, 1., 0., 0.},
+                                     {0.5, 3., 1., -1., 0.2},
+                                     {1., 1., -1e-3, 0., 0.},
+                                     {0., -1., 0., 4., 1.},
+                                     {0., 0.2, 0., 1., -1e-3}};
+  std::vector<double>       expected;
+  for (unsigned int i = 0; i < rows.size(); ++i)
+  {
+    expected.push_back((1. + i) / units[i]);
+    for (unsigned int j = 0; j < rows.size(); ++j)
+      rows[i][j] *= units[i] * units[j];
+  }
+  LinearAlgebra::SparseMatrix matrix;
+  make_matrix(rows, matrix);
+  DirectSolver solver;
+  expect_success(solver.initialize(matrix, MatrixSymmetry::symmetric));
+  // the values that scale it may change
+  for (const double factor : {1., 1e-4})
+  {
+    Rows factored = rows;
+    for (auto &row : factored)
+      for (double &entry : row)
+        entry *= factor;
+    set_rows(factored, matrix);
+    expect_success(solver.factorize());
+    auto solution = distributed(expected);
+    solution      = 0.;
+    expect_success(
+      solver.solve(solution, distributed(times(factored, expected))));
+    const std::vector<double> found = gathered(solution);
+    for (unsigned int i = 0; i < rows.size(); ++i)
+      EXPECT_NEAR(found[i], expected[i], 1e-11 * expected[i]) << i;
+  }
+}
+
+
+
 TEST(DirectSolver, SolvesAMatrixThatIsNotSymmetric)
 {
   const Rows rows = {{4., 1., 0.}, {-2., 3., 1.}, {0., 5., 1.}};
