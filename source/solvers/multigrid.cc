@@ -21,12 +21,12 @@ namespace MixedCracks
     // Chebyshev polynomials of this degree before and after each coarse step
     constexpr int smoother_degree = 2;
     // Entries below this, relative to the diagonal, do not join aggregates; on
-    // each coarser level half of it. Without it aggregates of coarse levels
-    // follow fill-in that means nothing, and iterations grow with the size
-    // where cells differ in size.
+    // each coarser level half of it. Without it the aggregates of coarser
+    // levels are poor where cells differ in size, and iterations grow.
     constexpr double weak_coupling = 0.003;
     // of the Jacobi step that smooths prolongators, over the largest
-    // eigenvalue; the optimum of the theory, 4/3, needs a tenth more iterations
+    // eigenvalue; the usual 4/3 needs one iteration more, up to three in the
+    // displacement formulation
     constexpr double prolongator_damping = 1.5;
     // unknowns a direct solver is left with
     constexpr int coarsest_size = 1500;
