@@ -20,7 +20,7 @@
 namespace MixedCracks
 {
   /// fields.pvd and fields/*.pvtu, or fields.xdmf and fields/*.h5, or all of
-  /// them, for ParaView.
+  /// them, for ParaView; in 3-d crack_surface.pvd as well.
   template <int dim>
   class FieldOutput
   {
@@ -59,6 +59,9 @@ namespace MixedCracks
                           unsigned int                step) const;
 
     void write_collection() const;
+
+    /// In 3-d: the surface of the cracks, for the step written last.
+    void write_surface(const LinearAlgebra::Vector &phase_field) const;
 
     const Fields<dim>                          &fields;
     const std::string                           directory;

@@ -24,6 +24,7 @@ namespace MixedCracks
                                      "summary.json",
                                      "crack_path.csv",
                                      "crack_path.pvd",
+                                     "crack_surface.pvd",
                                      "crack_path",
                                      "report.html",
                                      "checkpoint"};

@@ -3,6 +3,7 @@
 
 #include <deal.II/numerics/data_out.h>
 
+#include <output/crack_surface.h>
 #include <output/directory.h>
 #include <output/field_output.h>
 
@@ -38,6 +39,13 @@ namespace MixedCracks
     is_vtu(const std::string &name)
     {
       return name.find(".pvtu") != std::string::npos;
+    }
+
+    // "fields/fields_00012.pvtu": the step is in the name
+    std::string
+    digits_of_step(const std::string &name)
+    {
+      return name.substr(name.rfind('_') + 1, 5);
     }
 
     template <int dim>
@@ -104,6 +112,27 @@ namespace MixedCracks
     times_and_names.emplace_back(state.time, name);
     if (writes_vtu)
       write_collection();
+    if constexpr (dim == 3)
+      write_surface(state.phase_field);
+  }
+
+
+
+  template <int dim>
+  void
+  FieldOutput<dim>::write_surface(
+    const LinearAlgebra::Vector &phase_field) const
+  {
+    if constexpr (dim == 3)
+    {
+      std::vector<std::pair<double, std::string>> surfaces;
+      for (const auto &[time, name] : times_and_names)
+        surfaces.emplace_back(
+          time, "fields/crack_surface_" + digits_of_step(name) + ".vtp");
+      const std::string latest = surfaces.back().second;
+      std::sort(surfaces.begin(), surfaces.end());
+      write_crack_surface(fields, phase_field, directory, latest, surfaces);
+    }
   }
 
 
@@ -164,10 +193,8 @@ namespace MixedCracks
     const std::vector<std::pair<double, std::string>> &earlier)
   {
     times_and_names = earlier;
-    // "fields/fields_00012.pvtu": the step is in the name
     for (const auto &record : earlier)
-      steps.insert(Utilities::string_to_int(
-        record.second.substr(record.second.rfind('_') + 1, 5)));
+      steps.insert(Utilities::string_to_int(digits_of_step(record.second)));
     xdmf.restore(steps);
   }
 
