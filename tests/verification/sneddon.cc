@@ -123,17 +123,21 @@ namespace
             "Output/Crack opening=0,0 : 0,0 : 0,1 : 1"};
   }
 
-  // number @p from_right of the last line, the last one being 0
+  // number of the last line in a column with this name
   double
-  number_in(const std::string &file_name, const unsigned int from_right)
+  number_in(const std::string &file_name, const std::string &column)
   {
     std::ifstream file(file_name);
-    std::string   line, last;
+    std::string   header, line, last;
+    std::getline(file, header);
     while (std::getline(file, line))
       last = line;
-    for (unsigned int i = 0; i < from_right; ++i)
-      last.erase(last.rfind(','));
-    return std::stod(last.substr(last.rfind(',') + 1));
+    std::istringstream names(header), numbers(last);
+    std::string        name, number;
+    while (std::getline(names, name, ',') && std::getline(numbers, number, ','))
+      if (name == column)
+        return std::stod(number);
+    throw std::runtime_error("no column " + column + " in " + header);
   }
 
   Opened
@@ -152,9 +156,9 @@ namespace
     const std::string   statistics = directory.path + "/statistics.csv";
     std::vector<double> found(3, 0.);
     if (dealii::Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0)
-      found = {number_in(statistics, 0),
-               number_in(statistics, 1),
-               number_in(directory.path + "/crack_opening.csv", 0)};
+      found = {number_in(statistics, "crack_volume_mm3"),
+               number_in(statistics, "energy_imbalance_mJ"),
+               number_in(directory.path + "/crack_opening.csv", "opening_mm")};
     found = dealii::Utilities::MPI::broadcast(MPI_COMM_WORLD, found);
     return {found[0], found[2], found[1]};
   }
