@@ -86,7 +86,8 @@ namespace MixedCracks
       TimerOutput::Scope           scope(timer, "refinement");
       const AdaptationRule         rule = adaptation_rule();
       const RefinementRegions<dim> regions =
-        refined_regions(parameters, triangulation);
+        rule.coarsens() ? refined_regions(parameters, triangulation)
+                        : RefinementRegions<dim>();
       const RefinedAtStart<dim> was_refined = [&](const auto &cell) {
         return is_refined<dim>(
           cell, parameters.mesh.global_refinements, regions);

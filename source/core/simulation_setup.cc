@@ -50,37 +50,6 @@ namespace MixedCracks
               pieces.push_back(part_of_face<dim>(cell->face(f), v));
       return pieces;
     }
-
-
-
-    template <int dim>
-    RefinementRegions<dim>
-    regions_of(const Parameters<dim>    &parameters,
-               const Triangulation<dim> &triangulation)
-    {
-      RefinementRegions<dim>     result;
-      const Geometry<dim>       &geometry = parameters.geometry.chosen();
-      const RefinedRegions<dim> &regions  = parameters.mesh.regions;
-      for (const RefinedBox<dim> &box : regions.refined_boxes())
-        result.boxes.push_back(
-          {BoundingBox<dim>({box.lower, box.upper}), box.levels});
-      for (const RefinedDisc<dim> &disc : regions.refined_discs())
-        result.surroundings.push_back(
-          {{FlatPiece<dim>::point(disc.center)}, disc.radius, disc.levels});
-      const auto places     = geometry.named_places();
-      const auto boundaries = geometry.boundary_ids();
-      for (const RefinedSurroundings &named : regions.refined_surroundings())
-      {
-        const auto place = places.find(named.name);
-        result.surroundings.push_back(
-          {place == places.end()
-             ? pieces_of_boundary(triangulation, boundaries.at(named.name))
-             : std::vector<FlatPiece<dim>>{place->second},
-           named.distance,
-           named.levels});
-      }
-      return result;
-    }
   } // namespace
 
 
@@ -90,7 +59,28 @@ namespace MixedCracks
   refined_regions(const Parameters<dim>    &parameters,
                   const Triangulation<dim> &triangulation)
   {
-    return regions_of(parameters, triangulation);
+    RefinementRegions<dim>     result;
+    const Geometry<dim>       &geometry = parameters.geometry.chosen();
+    const RefinedRegions<dim> &regions  = parameters.mesh.regions;
+    for (const RefinedBox<dim> &box : regions.refined_boxes())
+      result.boxes.push_back(
+        {BoundingBox<dim>({box.lower, box.upper}), box.levels});
+    for (const RefinedDisc<dim> &disc : regions.refined_discs())
+      result.surroundings.push_back(
+        {{FlatPiece<dim>::point(disc.center)}, disc.radius, disc.levels});
+    const auto places     = geometry.named_places();
+    const auto boundaries = geometry.boundary_ids();
+    for (const RefinedSurroundings &named : regions.refined_surroundings())
+    {
+      const auto place = places.find(named.name);
+      result.surroundings.push_back(
+        {place == places.end()
+           ? pieces_of_boundary(triangulation, boundaries.at(named.name))
+           : std::vector<FlatPiece<dim>>{place->second},
+         named.distance,
+         named.levels});
+    }
+    return result;
   }
 
 
@@ -107,7 +97,7 @@ namespace MixedCracks
                           geometry.names());
     refine_globally_and_in_regions(triangulation,
                                    parameters.mesh.global_refinements,
-                                   regions_of(parameters, triangulation));
+                                   refined_regions(parameters, triangulation));
   }
 
 
