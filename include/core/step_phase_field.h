@@ -62,6 +62,8 @@ namespace MixedCracks
     /// the matrix does not depend on the phase field, so that one active-set
     /// solution is the end
     const bool is_quadratic;
+    /// of the crack density, MPa or 1/mm as the multipliers
+    const double concavity;
 
     LinearAlgebra::SparseMatrix matrix;
     std::vector<bool>           constrained;

@@ -4,8 +4,9 @@
 
 #include <core/linear_algebra.h>
 
-#include <solvers/linear_solver.h>
+#include <solvers/free_block_preconditioner.h>
 
+#include <string>
 #include <vector>
 
 namespace MixedCracks
@@ -21,18 +22,20 @@ namespace MixedCracks
     /// lumped mass: residual / scale is an energy density (MPa); where G_c
     /// varies, mass times G_c: it is an energy density over G_c (1/mm)
     const LinearAlgebra::Vector &scale;
-    /// owned dofs that a constraint determines: never active, never moved
+    /// owned dofs that a constraint determines: never held, never moved
     const std::vector<bool> &constrained;
+    /// of the unit of residual / scale: matrix + concavity * scale is
+    /// positive definite whatever is free
+    double concavity = 0.;
   };
 
   struct ActiveSetOptions
   {
-    /// c of the criterion, of the unit of residual / scale: 10 G_c / l
-    double       weight                = 1.;
-    double       relative_tolerance    = 1e-10; ///< of the linear solves
-    unsigned int max_iterations        = 12;  ///< then the safeguard takes over
-    unsigned int max_descents          = 500; ///< iterations of the safeguard
-    unsigned int max_linear_iterations = 300;
+    /// largest residual / scale of a free dof at the end
+    double       tolerance      = 1e-9;
+    unsigned int max_iterations = 500;
+    /// iterations per digit with the diagonal; beyond, there is multigrid
+    double patience = default_patience;
   };
 
   struct ActiveSetOutcome
@@ -40,8 +43,6 @@ namespace MixedCracks
     bool         converged         = false;
     unsigned int iterations        = 0;
     unsigned int linear_iterations = 0;
-    /// how many of the iterations were those of the safeguard
-    unsigned int descents = 0;
     /// dofs held at a bound at the end, and how many changed sides in all
     dealii::types::global_dof_index n_active  = 0;
     dealii::types::global_dof_index n_changes = 0;
@@ -50,65 +51,34 @@ namespace MixedCracks
     std::string reason; ///< why it stopped short, in words
   };
 
-  /// Primal-dual active set method [HWW15] with two bounds. The sets are
-  /// algebraic: the matrix is assembled once, each iteration solves on the
-  /// free dofs only, by conjugate gradients (few and well-conditioned
-  /// unknowns). Where the sets do not settle, or the operator of Wu's
-  /// functional is indefinite, descend_within_bounds() takes over.
+  /// Primal-dual active set method with two bounds whose iterates stay between
+  /// them. There the criterion of [HWW15], multiplier + c (x - bound), is the
+  /// sign of the multiplier at the bound, whatever the constant c. Each
+  /// iteration solves on the free dofs, by preconditioned conjugate gradients,
+  /// and follows the solution along its projection on the bounds as far as the
+  /// energy falls (More and Toraldo, SIAM J. Optim. 1 (1991)). Without that,
+  /// the sets cycle in most iterations of a growing crack: the consistent mass
+  /// of a strained crack has positive entries beside the diagonal. Where the
+  /// operator of Wu's functional is indefinite, a direction of negative
+  /// curvature leads to a bound. The matrix is assembled once.
   class ActiveSetSolver
   {
   public:
-    explicit ActiveSetSolver(const ActiveSetOptions &options)
-      : options(options)
-    {}
+    explicit ActiveSetSolver(const ActiveSetOptions &options);
+
+    /// Forget what was kept: the dofs are others.
+    void reinit();
 
     /// @p solution and @p residual (the gradient at it) on entry at the start,
     /// on exit at the solution. Collective.
     ActiveSetOutcome solve(const BoundedProblem  &problem,
                            LinearAlgebra::Vector &solution,
-                           LinearAlgebra::Vector &residual) const;
+                           LinearAlgebra::Vector &residual);
 
   private:
-    enum class Side : char
-    {
-      free,
-      lower,
-      upper
-    };
-
-    std::vector<Side> decide_sides(const BoundedProblem        &problem,
-                                   const LinearAlgebra::Vector &solution,
-                                   const LinearAlgebra::Vector &residual) const;
-
-    LinearOutcome compute_correction(const BoundedProblem        &problem,
-                                     const std::vector<Side>     &sides,
-                                     const LinearAlgebra::Vector &solution,
-                                     const LinearAlgebra::Vector &residual,
-                                     double                       tolerance,
-                                     LinearAlgebra::Vector &correction) const;
-
-    /// Number of dofs that changed sides; sets size and residual of the
-    /// outcome. Collective.
-    static dealii::types::global_dof_index
-    compare_sides(const BoundedProblem        &problem,
-                  const std::vector<Side>     &sides,
-                  const std::vector<Side>     &new_sides,
-                  const LinearAlgebra::Vector &residual,
-                  ActiveSetOutcome            &outcome);
-
-    /// Leaves with converged == false when the sets do not settle: as soon
-    /// as they were the same before, since then they cycle. Solves loosely
-    /// until they stay the same.
-    ActiveSetOutcome settle(const BoundedProblem  &problem,
-                            LinearAlgebra::Vector &solution,
-                            LinearAlgebra::Vector &residual) const;
-
-    ActiveSetOptions options;
+    ActiveSetOptions        options;
+    FreeBlockPreconditioner preconditioner;
   };
-
-  /// 1 / |diagonal| of the owned rows: the preconditioner of the free dofs.
-  void invert_diagonal(const LinearAlgebra::SparseMatrix &matrix,
-                       LinearAlgebra::Vector             &inverse);
 } // namespace MixedCracks
 
 #endif

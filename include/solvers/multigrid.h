@@ -30,17 +30,31 @@ namespace MixedCracks
                 double                 *result,
                 const double           *source);
 
-  /// One cycle of algebraic multigrid for an elastic operator: smoothed
-  /// aggregation by ML, Vanek, Mandel and Brezina, Computing 56 (1996), with
-  /// the rigid body modes as coarse functions, Chebyshev smoothers and a
-  /// W-cycle. A fixed linear operator, symmetric positive definite.
+  /// How a hierarchy is made and used; as it stands for one unknown per node.
+  struct MultigridOptions
+  {
+    unsigned int n_components        = 1;
+    bool         w_cycle             = false;
+    int          smoother_degree     = 1;       ///< of Chebyshev's polynomials
+    double       weak_coupling       = 0.;      ///< entries over the diagonal
+    double       prolongator_damping = 4. / 3.; ///< of Jacobi's step
+    int          coarsest_size       = 500;
+
+    /// Elasticity, with what doc/solvers.md found best.
+    static MultigridOptions elastic(unsigned int n_components);
+  };
+
+  /// One cycle of algebraic multigrid: smoothed aggregation by ML, Vanek,
+  /// Mandel and Brezina, Computing 56 (1996), with given coarse functions and
+  /// Chebyshev smoothers. A fixed linear operator, symmetric, and positive
+  /// definite if the matrix is.
   class Multigrid
   {
   public:
-    /// @p matrix: the components of a node follow each other, @p n_components
-    /// of them. @p modes: one vector of the owned rows each.
+    /// @p matrix: the components of a node follow each other. @p modes: the
+    /// coarse functions, one vector of the owned rows each.
     Multigrid(std::unique_ptr<Epetra_CrsMatrix>       matrix,
-              unsigned int                            n_components,
+              const MultigridOptions                 &options,
               const std::vector<std::vector<double>> &modes);
     ~Multigrid();
 

@@ -136,14 +136,14 @@ namespace MixedCracks
                                  const ActiveSetOutcome &active_set,
                                  const double            change)
   {
-    log.line(printed("  %5u %9.1e %9.1e %9.1e %8u %8u %8u %7u %7u %10.2e %6.2f",
+    log.line(printed("  %5u %9.1e %9.1e %9.1e %8u %8u %7u %6u %7u %10.2e %6.2f",
                      iteration,
                      newton.first.displacement,
                      newton.last.displacement,
                      newton.last.pressure,
                      static_cast<unsigned int>(active_set.n_active),
                      static_cast<unsigned int>(active_set.n_changes),
-                     active_set.descents,
+                     active_set.iterations,
                      newton.iterations,
                      newton.linear_iterations + active_set.linear_iterations,
                      change,
@@ -223,7 +223,7 @@ namespace MixedCracks
     trial.phase_field = accepted.phase_field;
     elastic.predict(accepted, trial);
     log.line("  coupl  |r_u| in       out   out |r_p| active"
-             "  changes descents newton  linear  |phi-phi~| factor");
+             "  changes    sets newton  linear  |phi-phi~| factor");
   }
 
 

@@ -14,17 +14,29 @@ namespace MixedCracks
     // outer Newton iterations for densities that are not quadratic
     constexpr unsigned int max_newton_iterations = 20;
 
-    // Where G_c varies, so does the constant of the criterion: then the
-    // multipliers are divided by the local G_c (in N/mm) instead.
+    // of the phase field's residual over G_c / l and the lumped mass
+    constexpr double residual_tolerance = 1e-8;
+
+
+
+    // G_c / l (MPa), of which the multipliers are parts. Where G_c varies they
+    // are divided by the local one instead: then 1 / l.
     template <int dim>
-    ActiveSetOptions
-    options_for(const Material<dim> &material, const bool constants_vary)
+    double
+    energy_density(const Material<dim> &material, const bool constants_vary)
     {
       const MaterialDescription &constants = material.description();
-      ActiveSetOptions           options;
-      options.weight =
-        10. * (constants_vary ? 1. : constants.critical_energy_release_rate) /
-        constants.length_scale;
+      return (constants_vary ? 1. : constants.critical_energy_release_rate) /
+             constants.length_scale;
+    }
+
+
+
+    ActiveSetOptions
+    options_for(const double energy_density)
+    {
+      ActiveSetOptions options;
+      options.tolerance = residual_tolerance * energy_density;
       return options;
     }
 
@@ -57,8 +69,11 @@ namespace MixedCracks
     , assembler(assembler)
     , fluid(std::move(fluid))
     , timer(timer)
-    , solver(options_for(material, assembler.constants_vary()))
+    , solver(options_for(energy_density(material, assembler.constants_vary())))
     , is_quadratic(has_constant_curvature(material.crack_density()))
+    , concavity(
+        -energy_density(material, assembler.constants_vary()) *
+        std::min(0., material.crack_density().local_second_derivative(0.5)))
   {}
 
 
@@ -78,6 +93,7 @@ namespace MixedCracks
       assembler.lumped_toughness(hanging, mass);
     else
       assembler.lumped_mass(hanging, mass);
+    solver.reinit();
     constrained.clear();
     for (const auto dof : dofs.owned)
       constrained.push_back(hanging.is_constrained(dof));
@@ -130,8 +146,9 @@ namespace MixedCracks
     set_bounds(accepted, fixed);
     iterate                      = trial.phase_field;
     const auto          &hanging = constraints.phase_field_hanging_nodes();
-    const BoundedProblem problem{matrix, lower, upper, mass, constrained};
-    ActiveSetOutcome     total;
+    const BoundedProblem problem{
+      matrix, lower, upper, mass, constrained, concavity};
+    ActiveSetOutcome total;
     for (unsigned int i = 0; i < max_newton_iterations; ++i)
     {
       assemble(trial);
@@ -141,12 +158,10 @@ namespace MixedCracks
 
       const unsigned int earlier_iterations = total.iterations;
       const unsigned int earlier_linear     = total.linear_iterations;
-      const unsigned int earlier_descents   = total.descents;
       const auto         earlier_changes    = total.n_changes;
       total                                 = outcome;
       total.iterations += earlier_iterations;
       total.linear_iterations += earlier_linear;
-      total.descents += earlier_descents;
       total.n_changes += earlier_changes;
       // an active set that stays as it was found has nothing left to solve
       if (!outcome.converged || is_quadratic ||

@@ -1,16 +1,10 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include <deal.II/base/mpi.h>
 
-
-#include <deal.II/lac/diagonal_matrix.h>
-#include <deal.II/lac/solver_cg.h>
-
 #include <solvers/active_set.h>
-#include <solvers/projected_descent.h>
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
 
 namespace MixedCracks
 {
@@ -20,183 +14,213 @@ namespace MixedCracks
   namespace
   {
     // bounds closer than this leave nothing to solve for
-    constexpr double same_bounds = 1e-14;
-    // the phase field lies between 0 and 1
-    constexpr double largest_correction = 1e5;
+    constexpr double same_bounds         = 1e-14;
+    constexpr double sufficient_decrease = 1e-4;
     // digits that a solve would add before the sets are known are wasted
-    constexpr double loose_tolerance = 1e-4;
+    constexpr double loose_tolerance = 1e-3;
+    // where they stay, this much below what is asked for
+    constexpr double       safety                = 0.1;
+    constexpr double       tightest_tolerance    = 1e-10;
+    constexpr unsigned int max_linear_iterations = 1000;
+    constexpr unsigned int max_bisections        = 40;
 
-    // The matrix on the free dofs and the identity on all others. Applied to
-    // vectors that vanish outside the free dofs.
-    class FreeBlock
+
+
+    enum class Side : char
     {
-    public:
-      FreeBlock(const LinearAlgebra::SparseMatrix &matrix,
-                const std::vector<bool>           &is_free)
-        : matrix(matrix)
-        , is_free(is_free)
-      {}
-
-      void
-      vmult(Vector &result, const Vector &source) const
-      {
-        matrix.vmult(result, source);
-        double *values = result.begin();
-        for (std::size_t i = 0; i < is_free.size(); ++i)
-          if (!is_free[i])
-            values[i] = 0.;
-      }
-
-    private:
-      const LinearAlgebra::SparseMatrix &matrix;
-      const std::vector<bool>           &is_free;
+      free,
+      lower,
+      upper
     };
 
 
 
-    // fails where the operator is indefinite
-    LinearOutcome
-    solve_free_block(const FreeBlock              &block,
-                     const DiagonalMatrix<Vector> &preconditioner,
-                     const ActiveSetOptions       &options,
-                     const double                  tolerance,
-                     const Vector                 &right_hand_side,
-                     Vector                       &solution)
+    // The state of the method between its iterations.
+    struct Iterate
     {
-      LinearOutcome outcome;
-      const double  size = right_hand_side.l2_norm();
-      if (size == 0.)
-        return outcome;
-      SolverControl control(
-        options.max_linear_iterations, tolerance * size, false, false);
-      SolverCG<Vector> solver(control);
-      try
-      {
-        solver.solve(block, solution, right_hand_side, preconditioner);
-      }
-      catch (const SolverControl::NoConvergence &)
-      {
-        outcome.success = false;
-        outcome.reason  = "the phase-field operator is indefinite";
-      }
-      outcome.iterations = control.last_step();
-      // the residual is updated, not computed anew: a correction this far
-      // outside all bounds would cost it its digits
-      if (outcome.success && solution.linfty_norm() > largest_correction)
-      {
-        outcome.success = false;
-        outcome.reason  = "the phase-field operator is nearly singular";
-      }
-      return outcome;
+      const BoundedProblem &problem;
+      Vector               &x;
+      Vector               &r; // gradient of the energy at x
+      std::vector<Side>     sides;
+      std::vector<bool>     is_free; // neither held nor constrained
+      Vector                direction;
+      Vector                image; // matrix times a vector
+      bool                  curved_downwards = false;
+    };
+
+
+
+    // Start within the bounds.
+    Iterate
+    projected_start(const BoundedProblem &p, Vector &x, Vector &r)
+    {
+      Iterate state{p, x, r, {}, {}, r, r, false};
+      Vector &move = state.direction;
+      for (std::size_t i = 0; i < p.constrained.size(); ++i)
+        move.begin()[i] =
+          p.constrained[i]
+            ? 0.
+            : std::clamp(x.begin()[i], p.lower.begin()[i], p.upper.begin()[i]) -
+                x.begin()[i];
+      p.matrix.vmult(state.image, move);
+      x.add(1., move);
+      r.add(1., state.image);
+      return state;
     }
-  } // namespace
 
 
 
-  namespace
-  {
-    // whether all ranks find their sides in the same iteration before
-    template <typename Sides>
+    // held where a bound is reached and the energy falls beyond it
+    Side
+    side_of(const BoundedProblem &p,
+            const std::size_t     i,
+            const double          x,
+            const double          r)
+    {
+      const double lower = p.lower.begin()[i], upper = p.upper.begin()[i];
+      if ((x <= lower && r >= 0.) || upper - lower <= same_bounds)
+        return Side::lower;
+      return x >= upper && r <= 0. ? Side::upper : Side::free;
+    }
+
+
+
+    // Decide which dofs are held. Sets sizes and residual of @p outcome and
+    // returns how many dofs changed sides.
+    types::global_dof_index
+    decide_sides(Iterate &state, ActiveSetOutcome &outcome)
+    {
+      const BoundedProblem                &p     = state.problem;
+      const std::size_t                    n     = p.constrained.size();
+      double                               worst = 0.;
+      std::vector<types::global_dof_index> counts(2, 0); // held, changed
+      const std::vector<Side>              before = std::move(state.sides);
+      state.sides.assign(n, Side::free);
+      state.is_free.assign(n, false);
+      for (std::size_t i = 0; i < n; ++i)
+      {
+        const double r = state.r.begin()[i];
+        if (!p.constrained[i])
+          state.sides[i] = side_of(p, i, state.x.begin()[i], r);
+        state.is_free[i] = !p.constrained[i] && state.sides[i] == Side::free;
+        counts[0] += state.sides[i] != Side::free;
+        counts[1] += before.empty() || state.sides[i] != before[i];
+        if (state.is_free[i])
+          worst = std::max(worst, std::abs(r / p.scale.begin()[i]));
+      }
+      const MPI_Comm communicator = state.x.get_mpi_communicator();
+      Utilities::MPI::sum(counts, communicator, counts);
+      outcome.residual = Utilities::MPI::max(worst, communicator);
+      outcome.n_active = counts[0];
+      return counts[1];
+    }
+
+
+
+    void
+    keep_free(const Iterate &state, Vector &vector)
+    {
+      for (std::size_t i = 0; i < state.is_free.size(); ++i)
+        if (!state.is_free[i])
+          vector.begin()[i] = 0.;
+    }
+
+
+
+    // Truncated conjugate gradients for the direction: stops at a direction
+    // of negative curvature and takes that one.
+    unsigned int
+    find_direction(Iterate                       &state,
+                   const FreeBlockPreconditioner &preconditioner,
+                   const double                   tolerance)
+    {
+      Vector remainder(state.r), preconditioned(state.r);
+      remainder *= -1.;
+      keep_free(state, remainder);
+      preconditioner.vmult(preconditioned, remainder);
+      Vector       search(preconditioned);
+      double       product    = remainder * preconditioned;
+      const double target     = tolerance * tolerance * product;
+      unsigned int iterations = 0;
+      state.direction         = 0.;
+      state.curved_downwards  = false;
+      while (product > target && iterations < max_linear_iterations)
+      {
+        ++iterations;
+        state.problem.matrix.vmult(state.image, search);
+        keep_free(state, state.image);
+        const double curvature = search * state.image;
+        if (!(curvature > 1e-14 * product))
+        {
+          // downhill it is: the search direction starts as the gradient
+          state.curved_downwards = true;
+          state.direction        = search;
+          break;
+        }
+        const double length = product / curvature;
+        state.direction.add(length, search);
+        remainder.add(-length, state.image);
+        preconditioner.vmult(preconditioned, remainder);
+        const double new_product = remainder * preconditioned;
+        search.sadd(new_product / product, 1., preconditioned);
+        product = new_product;
+      }
+      return iterations;
+    }
+
+
+
+    // Move along the projected direction until the energy falls. False when
+    // it does not.
     bool
-    is_repeated(const Sides              &sides,
-                const std::vector<Sides> &history,
-                const MPI_Comm            communicator)
+    move_downhill(Iterate &state)
     {
-      std::vector<int> is_same;
-      for (const Sides &earlier : history)
-        is_same.push_back(sides == earlier ? 1 : 0);
-      Utilities::MPI::min(is_same, communicator, is_same);
-      return std::find(is_same.begin(), is_same.end(), 1) != is_same.end();
+      const BoundedProblem &p      = state.problem;
+      double                factor = 1.;
+      if (state.curved_downwards)
+        // far enough to reach a bound, which are at most 1 apart
+        factor = 1. / std::max(state.direction.linfty_norm(), 1e-300);
+      Vector move(state.x);
+      for (unsigned int k = 0; k < max_bisections; ++k, factor *= 0.5)
+      {
+        for (std::size_t i = 0; i < state.is_free.size(); ++i)
+        {
+          const double x = state.x.begin()[i];
+          move.begin()[i] =
+            state.is_free[i]
+              ? std::clamp(x + factor * state.direction.begin()[i],
+                           p.lower.begin()[i],
+                           p.upper.begin()[i]) -
+                  x
+              : 0.;
+        }
+        p.matrix.vmult(state.image, move);
+        const double slope  = state.r * move;
+        const double change = slope + 0.5 * (state.image * move);
+        if (slope < 0. && change <= sufficient_decrease * slope)
+        {
+          state.x.add(1., move);
+          state.r.add(1., state.image);
+          return true;
+        }
+      }
+      return false;
     }
   } // namespace
+
+
+
+  ActiveSetSolver::ActiveSetSolver(const ActiveSetOptions &options)
+    : options(options)
+    , preconditioner(options.patience)
+  {}
 
 
 
   void
-  invert_diagonal(const LinearAlgebra::SparseMatrix &matrix, Vector &inverse)
+  ActiveSetSolver::reinit()
   {
-    std::size_t i      = 0;
-    double     *values = inverse.begin();
-    for (const auto row : inverse.locally_owned_elements())
-    {
-      const double diagonal = std::abs(matrix.diag_element(row));
-      values[i++]           = diagonal > 0. ? 1. / diagonal : 1.;
-    }
-  }
-
-
-
-  std::vector<ActiveSetSolver::Side>
-  ActiveSetSolver::decide_sides(const BoundedProblem &problem,
-                                const Vector         &solution,
-                                const Vector         &residual) const
-  {
-    std::vector<Side> sides(problem.constrained.size(), Side::free);
-    const double     *x = solution.begin(), *r = residual.begin();
-    const double *lower = problem.lower.begin(), *upper = problem.upper.begin();
-    const double *scale = problem.scale.begin();
-    for (std::size_t i = 0; i < sides.size(); ++i)
-    {
-      if (problem.constrained[i])
-        continue;
-      // positive where the energy falls with a growing phase field
-      const double multiplier = -r[i] / scale[i];
-      if (upper[i] - lower[i] <= same_bounds ||
-          multiplier + options.weight * (x[i] - lower[i]) < 0.)
-        sides[i] = Side::lower;
-      else if (multiplier + options.weight * (x[i] - upper[i]) > 0.)
-        sides[i] = Side::upper;
-    }
-    return sides;
-  }
-
-
-
-  LinearOutcome
-  ActiveSetSolver::compute_correction(const BoundedProblem    &problem,
-                                      const std::vector<Side> &sides,
-                                      const Vector            &solution,
-                                      const Vector            &residual,
-                                      const double             tolerance,
-                                      Vector                  &correction) const
-  {
-    // move the active dofs to their bounds, then solve for the free ones
-    correction           = 0.;
-    const double *x      = solution.begin();
-    double       *values = correction.begin();
-    for (std::size_t i = 0; i < sides.size(); ++i)
-      if (sides[i] == Side::lower)
-        values[i] = problem.lower.begin()[i] - x[i];
-      else if (sides[i] == Side::upper)
-        values[i] = problem.upper.begin()[i] - x[i];
-
-    Vector right_hand_side(residual);
-    problem.matrix.vmult(right_hand_side, correction);
-    right_hand_side.add(1., residual);
-    right_hand_side *= -1.;
-    std::vector<bool> is_free(sides.size());
-    for (std::size_t i = 0; i < sides.size(); ++i)
-    {
-      is_free[i] = sides[i] == Side::free && !problem.constrained[i];
-      if (!is_free[i])
-        right_hand_side.begin()[i] = 0.;
-    }
-
-    DiagonalMatrix<Vector> preconditioner;
-    Vector                 inverse_diagonal(residual);
-    invert_diagonal(problem.matrix, inverse_diagonal);
-    preconditioner.reinit(inverse_diagonal);
-    Vector free_correction(residual);
-    free_correction = 0.;
-    const LinearOutcome outcome =
-      solve_free_block(FreeBlock(problem.matrix, is_free),
-                       preconditioner,
-                       options,
-                       tolerance,
-                       right_hand_side,
-                       free_correction);
-    correction.add(1., free_correction);
-    return outcome;
+    preconditioner.clear();
   }
 
 
@@ -204,108 +228,45 @@ namespace MixedCracks
   ActiveSetOutcome
   ActiveSetSolver::solve(const BoundedProblem &problem,
                          Vector               &solution,
-                         Vector               &residual) const
+                         Vector               &residual)
   {
-    const Vector           start(solution), start_residual(residual);
-    const ActiveSetOutcome settled = settle(problem, solution, residual);
-    if (settled.converged)
-      return settled;
-    // downhill from where the step began, not from where a cycle left off
-    solution = start;
-    residual = start_residual;
-    ActiveSetOutcome outcome =
-      descend_within_bounds(problem, options, solution, residual);
-    outcome.descents = outcome.iterations;
-    outcome.iterations += settled.iterations;
-    outcome.linear_iterations += settled.linear_iterations;
-    outcome.n_changes += settled.n_changes;
-    return outcome;
-  }
-
-
-
-  types::global_dof_index
-  ActiveSetSolver::compare_sides(const BoundedProblem    &problem,
-                                 const std::vector<Side> &sides,
-                                 const std::vector<Side> &new_sides,
-                                 const Vector            &residual,
-                                 ActiveSetOutcome        &outcome)
-  {
-    std::vector<types::global_dof_index> counts(2, 0);
-    double                               largest = 0.;
-    for (std::size_t i = 0; i < new_sides.size(); ++i)
+    ActiveSetOutcome outcome;
+    Iterate          state = projected_start(problem, solution, residual);
+    preconditioner.set_matrix(problem);
+    while (true)
     {
-      counts[0] += new_sides[i] != Side::free;
-      counts[1] += sides.empty() || new_sides[i] != sides[i];
-      if (new_sides[i] == Side::free && !problem.constrained[i])
-        largest = std::max(
-          largest, std::abs(residual.begin()[i] / problem.scale.begin()[i]));
-    }
-    const MPI_Comm communicator = residual.get_mpi_communicator();
-    Utilities::MPI::sum(counts, communicator, counts);
-    outcome.residual = Utilities::MPI::max(largest, communicator);
-    outcome.n_active = counts[0];
-    return counts[1];
-  }
-
-
-
-  ActiveSetOutcome
-  ActiveSetSolver::settle(const BoundedProblem &problem,
-                          Vector               &solution,
-                          Vector               &residual) const
-  {
-    const MPI_Comm    communicator = solution.get_mpi_communicator();
-    ActiveSetOutcome  outcome;
-    Vector            correction(residual), image(residual);
-    std::vector<Side> sides;
-    bool              is_precise = false;
-    std::vector<std::vector<Side>> history;
-    for (; outcome.iterations <= options.max_iterations; ++outcome.iterations)
-    {
-      const std::vector<Side> new_sides =
-        decide_sides(problem, solution, residual);
-      const types::global_dof_index n_changed =
-        compare_sides(problem, sides, new_sides, residual, outcome);
-      const bool is_same = outcome.iterations > 0 && n_changed == 0;
-      if (is_same && is_precise)
-      {
-        outcome.converged = true;
-        return outcome;
-      }
+      const types::global_dof_index n_changed = decide_sides(state, outcome);
       if (outcome.iterations > 0)
         outcome.n_changes += n_changed;
-      if (!is_same && is_repeated(new_sides, history, communicator))
-      {
-        outcome.reason = "the active set cycles";
+      outcome.converged = outcome.residual <= options.tolerance;
+      if (outcome.converged)
         return outcome;
-      }
       if (outcome.iterations == options.max_iterations)
         break;
 
-      if (!is_same)
-        history.push_back(new_sides);
-      sides                      = new_sides;
-      is_precise                 = is_same;
-      const LinearOutcome linear = compute_correction(
-        problem,
-        sides,
-        solution,
-        residual,
-        is_precise ? options.relative_tolerance : loose_tolerance,
-        correction);
-      outcome.linear_iterations += linear.iterations;
-      if (!linear.success)
-      {
-        outcome.reason = linear.reason;
+      ++outcome.iterations;
+      double tolerance = loose_tolerance;
+      if (n_changed == 0)
+        tolerance = std::clamp(safety * options.tolerance / outcome.residual,
+                               tightest_tolerance,
+                               loose_tolerance);
+      preconditioner.restrict_to(problem, state.is_free);
+      const unsigned int n = find_direction(state, preconditioner, tolerance);
+      outcome.linear_iterations += n;
+      if (!state.curved_downwards)
+        preconditioner.note_solve(n, -std::log10(tolerance));
+      if (move_downhill(state))
+        continue;
+      // as low as rounding lets it
+      outcome.converged = outcome.residual <= 1e3 * options.tolerance;
+      if (outcome.converged)
         return outcome;
-      }
-      solution.add(1., correction);
-      problem.matrix.vmult(image, correction);
-      residual.add(1., image);
+      if (!preconditioner.give_up_multigrid())
+        break;
     }
-    outcome.reason = "the active set did not settle within " +
-                     std::to_string(options.max_iterations) + " iterations";
+    outcome.reason = "the phase field did not settle within " +
+                     std::to_string(outcome.iterations) +
+                     " iterations of the active set";
     return outcome;
   }
 } // namespace MixedCracks

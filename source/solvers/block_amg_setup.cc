@@ -125,7 +125,7 @@ namespace MixedCracks
         ->trilinos_matrix();
     multigrid = std::make_unique<Multigrid>(
       extract_block(elastic, is_displacement, is_displacement),
-      system.n_components,
+      MultigridOptions::elastic(system.n_components),
       system.rigid_body_modes());
     if (auxiliary.displacement != nullptr)
     {

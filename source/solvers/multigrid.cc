@@ -18,35 +18,22 @@ namespace MixedCracks
   {
     using dealii::ExcMessage;
 
-    // Chebyshev polynomials of this degree before and after each coarse step
-    constexpr int smoother_degree = 2;
-    // Entries below this, relative to the diagonal, do not join aggregates; on
-    // each coarser level half of it. Without it the aggregates of coarser
-    // levels are poor where cells differ in size, and iterations grow.
-    constexpr double weak_coupling = 0.003;
-    // of the Jacobi step that smooths prolongators, over the largest
-    // eigenvalue; the usual 4/3 needs one iteration more, up to three in the
-    // displacement formulation
-    constexpr double prolongator_damping = 1.5;
-    // unknowns a direct solver is left with
-    constexpr int coarsest_size = 1500;
-
     Teuchos::ParameterList
-    multigrid_parameters(const unsigned int n_components)
+    multigrid_parameters(const MultigridOptions &options)
     {
       Teuchos::ParameterList list;
       ML_Epetra::SetDefaults("SA", list);
       list.set("ML output", 0);
-      list.set("PDE equations", static_cast<int>(n_components));
-      list.set("prec type", "MGW");
+      list.set("PDE equations", static_cast<int>(options.n_components));
+      list.set("prec type", options.w_cycle ? "MGW" : "MGV");
       list.set("aggregation: type", "Uncoupled");
-      list.set("aggregation: threshold", weak_coupling);
-      list.set("aggregation: damping factor", prolongator_damping);
+      list.set("aggregation: threshold", options.weak_coupling);
+      list.set("aggregation: damping factor", options.prolongator_damping);
       list.set("smoother: type", "Chebyshev");
-      list.set("smoother: sweeps", smoother_degree);
+      list.set("smoother: sweeps", options.smoother_degree);
       list.set("smoother: pre or post", "both");
       list.set("coarse: type", "Amesos-KLU");
-      list.set("coarse: max size", coarsest_size);
+      list.set("coarse: max size", options.coarsest_size);
       return list;
     }
 
@@ -69,9 +56,29 @@ namespace MixedCracks
 
 
 
+  MultigridOptions
+  MultigridOptions::elastic(const unsigned int n_components)
+  {
+    MultigridOptions options;
+    options.n_components    = n_components;
+    options.w_cycle         = true;
+    options.smoother_degree = 2;
+    // On each coarser level half of it. Without it the aggregates of coarser
+    // levels are poor where cells differ in size, and iterations grow.
+    options.weak_coupling = 0.003;
+    // over the largest eigenvalue; the usual 4/3 needs one iteration more, up
+    // to three in the displacement formulation
+    options.prolongator_damping = 1.5;
+    options.coarsest_size       = 1500;
+    return options;
+  }
+
+
+
   namespace
   {
-    // numbers in the block of the columns of a matrix, -1 for those left out
+    // Of each column of a matrix: the number it has in the block on the rank
+    // that owns it, -1 if it is left out.
     Epetra_IntVector
     numbers_in_block(const Epetra_CrsMatrix  &matrix,
                      const Epetra_Map        &block_columns,
@@ -86,6 +93,23 @@ namespace MixedCracks
       else
         numbers = owned;
       return numbers;
+    }
+
+
+
+    // Replaces the numbers in the block by those among the columns that this
+    // rank has entries in, in the order of the matrix, and returns their map.
+    Epetra_Map
+    number_columns(Epetra_IntVector &numbers, const Epetra_Comm &communicator)
+    {
+      std::vector<int> global;
+      for (int column = 0; column < numbers.MyLength(); ++column)
+        if (numbers[column] >= 0)
+        {
+          global.push_back(numbers[column]);
+          numbers[column] = global.size() - 1;
+        }
+      return Epetra_Map(-1, global.size(), global.data(), 0, communicator);
     }
 
 
@@ -105,10 +129,10 @@ namespace MixedCracks
                 const std::vector<bool> &rows,
                 const std::vector<bool> &columns)
   {
-    const Epetra_Map       block_rows    = map_of(rows, matrix.Comm());
-    const Epetra_Map       block_columns = map_of(columns, matrix.Comm());
-    const Epetra_IntVector numbers =
-      numbers_in_block(matrix, block_columns, columns);
+    const Epetra_Map block_rows    = map_of(rows, matrix.Comm());
+    const Epetra_Map block_columns = map_of(columns, matrix.Comm());
+    Epetra_IntVector numbers = numbers_in_block(matrix, block_columns, columns);
+    const Epetra_Map present = number_columns(numbers, matrix.Comm());
 
     int    *starts, *indices;
     double *values;
@@ -122,7 +146,7 @@ namespace MixedCracks
           indices + starts[row + 1],
           [&](const int column) { return numbers[column] >= 0; }));
     auto block = std::make_unique<Epetra_CrsMatrix>(
-      Copy, block_rows, lengths.data(), true);
+      Copy, block_rows, present, lengths.data(), true);
     std::vector<int>    found;
     std::vector<double> found_values;
     for (int row = 0, next = 0; row < matrix.NumMyRows(); ++row)
@@ -136,10 +160,8 @@ namespace MixedCracks
             found.push_back(numbers[indices[k]]);
             found_values.push_back(values[k]);
           }
-        block->InsertGlobalValues(block_rows.GID(next++),
-                                  found.size(),
-                                  found_values.data(),
-                                  found.data());
+        block->InsertMyValues(
+          next++, found.size(), found_values.data(), found.data());
       }
     block->FillComplete(block_columns, block_rows);
     block->OptimizeStorage();
@@ -161,14 +183,14 @@ namespace MixedCracks
 
 
   Multigrid::Multigrid(std::unique_ptr<Epetra_CrsMatrix>       new_matrix,
-                       const unsigned int                      n_components,
+                       const MultigridOptions                 &options,
                        const std::vector<std::vector<double>> &modes)
     : matrix(std::move(new_matrix))
   {
     std::vector<double> all_modes;
     for (const std::vector<double> &mode : modes)
       all_modes.insert(all_modes.end(), mode.begin(), mode.end());
-    Teuchos::ParameterList list = multigrid_parameters(n_components);
+    Teuchos::ParameterList list = multigrid_parameters(options);
     list.set("null space: type", "pre-computed");
     list.set("null space: dimension", static_cast<int>(modes.size()));
     list.set("null space: vectors", all_modes.data());
