@@ -15,7 +15,7 @@ namespace MixedCracks
 
   /// Where the diagonal needs more iterations per digit than this, a hierarchy
   /// is worth its set-up (doc/solvers.md, "Phase field").
-  constexpr double default_patience = 20.;
+  constexpr double default_patience = 15.;
 
   /// Preconditioner of the phase field on the dofs that no bound holds: its
   /// diagonal, where l/h is small and that is enough, else a cycle of
