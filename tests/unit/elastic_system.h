@@ -42,6 +42,7 @@ namespace MixedCracks
       double       mu              = 1.;
       double       kappa           = 1e-6;
       Damage       damage          = Damage::half;
+      std::string  density         = "AT2";
       std::string  split           = "volumetric-deviatoric";
       std::string  law             = "relaxed bulk";
       /// of the pressure, hence the branch of the split
@@ -65,7 +66,7 @@ namespace MixedCracks
                                        options.kappa,
                                        1.,
                                        dim,
-                                       "AT2",
+                                       options.density,
                                        options.split,
                                        options.law})
         , auxiliaries(fields, constraints.elastic_corrections())
@@ -139,6 +140,27 @@ namespace MixedCracks
         auxiliaries.assemble(*assembler);
       }
 
+      /// Distance to the broken part of the plane, mm.
+      double
+      distance(const dealii::Point<dim> &p) const
+      {
+        const double height = std::abs(p[dim - 1] - 0.5);
+        const double beyond =
+          options.damage == Damage::half ? std::max(0., p[0] - 0.5) : 0.;
+        return std::sqrt(height * height + beyond * beyond);
+      }
+
+      /// The top moved up by 1 mm, with ghosts.
+      Vector
+      lifted() const
+      {
+        Vector owned = fields.owned_vector(fields.elastic_dofs);
+        constraints.apply_prescribed(1., owned);
+        Vector result = fields.ghosted_vector(fields.elastic_dofs);
+        result        = owned;
+        return result;
+      }
+
       const ElasticSystemOptions                        options;
       dealii::parallel::distributed::Triangulation<dim> triangulation;
       Fields<dim>                                       fields;
@@ -169,16 +191,6 @@ namespace MixedCracks
         return result;
       }
 
-      // distance to the broken part of the plane
-      double
-      distance(const dealii::Point<dim> &p) const
-      {
-        const double height = std::abs(p[dim - 1] - 0.5);
-        const double beyond =
-          options.damage == Damage::half ? std::max(0., p[0] - 0.5) : 0.;
-        return std::sqrt(height * height + beyond * beyond);
-      }
-
       void
       make_mesh()
       {
@@ -194,16 +206,6 @@ namespace MixedCracks
         }
         cell_size =
           std::pow(0.5, options.refinements + options.adaptive_levels);
-      }
-
-      Vector
-      lifted() const
-      {
-        Vector owned = fields.owned_vector(fields.elastic_dofs);
-        constraints.apply_prescribed(1., owned);
-        Vector result = fields.ghosted_vector(fields.elastic_dofs);
-        result        = owned;
-        return result;
       }
 
       // evenly, with the chosen pressure
