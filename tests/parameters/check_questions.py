@@ -34,9 +34,10 @@ class Questions(unittest.TestCase):
         self.directory.cleanup()
 
     def ask(self, *arguments, ranks=1):
-        """Output of a call that must succeed."""
+        """Output of a call that must succeed; ranks=None: without launcher."""
+        launcher = [] if ranks is None else [COMMAND[1], "-n", str(ranks)]
         process = subprocess.run(
-            [COMMAND[1], "-n", str(ranks), COMMAND[0]] + list(arguments),
+            launcher + [COMMAND[0]] + list(arguments),
             cwd=self.folder, stdin=subprocess.DEVNULL, stdout=subprocess.PIPE,
             stderr=subprocess.PIPE, universal_newlines=True, timeout=60)
         self.assertEqual(process.stderr, "")
@@ -98,6 +99,25 @@ class Questions(unittest.TestCase):
                 texts.append(stream.read().replace("= " + name, "= here"))
         self.assertEqual(*texts)
         self.assertIn("set Thickness", texts[0])
+
+    def test_with_and_without_launcher(self):
+        for name, ranks in (("two", 2), ("one", 1), ("none", None)):
+            self.assertIn("ranks: %d;" % (ranks or 1), self.ask(
+                "--output", name, "case.prm", ranks=ranks))
+        alone = self.rows("none", "statistics.csv")
+        self.assertEqual(len(alone), 3)
+        self.assertEqual(alone, self.rows("one", "statistics.csv"))
+
+    def test_settings_of_open_mpi_are_left_alone(self):
+        if "Open MPI" not in self.ask("--version"):
+            self.skipTest("another implementation of MPI")
+        # were they set over, the program would start
+        for name in ("OMPI_MCA_pml", "OMPI_MCA_btl"):
+            process = subprocess.run(
+                [COMMAND[0], "--version"], env=dict(os.environ, **{name: "unheard-of"}),
+                stdin=subprocess.DEVNULL, stdout=subprocess.PIPE,
+                stderr=subprocess.STDOUT, universal_newlines=True, timeout=60)
+            self.assertNotEqual(process.returncode, 0, name)
 
     def test_overwrite(self):
         self.ask("case.prm")
