@@ -202,6 +202,29 @@ namespace MixedCracks
 
 
   template <int dim>
+  StressParts<dim>
+  SpectralSplit<dim>::parts(const SymmetricTensor<2, dim> &strain,
+                            const double                   mu) const
+  {
+    StressParts<dim> result;
+    const int        sign = common_sign(strain);
+    if (sign > 0)
+      result.positive = strain;
+    else if (sign == 0)
+    {
+      const auto principal = principal_strains(strain);
+      for (unsigned int a = 0; a < dim && principal.values[a] > 0.; ++a)
+        result.positive += principal.values[a] * dyad(principal.directions[a],
+                                                      principal.directions[a]);
+    }
+    result.positive *= 2. * mu;
+    result.negative = 2. * mu * strain - result.positive;
+    return result;
+  }
+
+
+
+  template <int dim>
   int
   SpectralSplit<dim>::branch(const SymmetricTensor<2, dim> &strain) const
   {
