@@ -5,6 +5,7 @@
 #include <core/parameter_file.h>
 #include <core/parameter_manual.h>
 #include <core/simulation.h>
+#include <core/single_process.h>
 #include <core/stop_request.h>
 #include <core/version.h>
 
@@ -186,6 +187,7 @@ namespace
 int
 main(int argc, char **argv)
 {
+  prepare_single_process();
   dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
   try
   {

@@ -140,9 +140,10 @@ namespace MixedCracks
   private:
     using Cell = typename dealii::DoFHandler<dim>::active_cell_iterator;
 
-    void load_elastic(unsigned int  cell,
-                      const Vector &elastic,
-                      const Vector &lagged_phase_field);
+    void load_elastic(unsigned int      cell,
+                      const Vector     &elastic,
+                      const Vector     &lagged_phase_field,
+                      ElasticEvaluation wanted);
 
     /// Add averages of the constants of one cell.
     void add_constants(unsigned int   cell,

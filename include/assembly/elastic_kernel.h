@@ -24,6 +24,16 @@ namespace MixedCracks
     int                             branch;      ///< see Material::branch()
   };
 
+  /// What ElasticKernel::set_state() evaluates: nothing but the points, which
+  /// do for energy(), the stresses as well, which do for all but jacobian(),
+  /// or everything.
+  enum class ElasticEvaluation
+  {
+    points,
+    stresses,
+    tangents
+  };
+
   /// Energy, residual and Jacobian of the elastic fields on one cell: the
   /// first two lines of (M5) for a given degradation. Works on local vectors
   /// only, per unit thickness.
@@ -51,9 +61,10 @@ namespace MixedCracks
     /// @p local: values of the dofs of this cell; @p lagged_phase_field: one
     /// value per quadrature point.
     void set_state(const dealii::Vector<double> &local,
-                   const std::vector<double>    &lagged_phase_field);
+                   const std::vector<double>    &lagged_phase_field,
+                   ElasticEvaluation wanted = ElasticEvaluation::tangents);
 
-    /// The same from points() of an earlier set_state().
+    /// All of it from points() of an earlier set_state().
     void set_points(const ElasticPoint<dim> *first);
 
     /// One for each quadrature point.
@@ -67,6 +78,8 @@ namespace MixedCracks
     const std::vector<ElasticResponse<dim>> &
     point_responses() const
     {
+      Assert(evaluated == ElasticEvaluation::tangents,
+             dealii::ExcMessage("The tangents have not been evaluated."));
       return responses;
     }
 
@@ -105,7 +118,7 @@ namespace MixedCracks
     CellAverages averages() const;
 
   private:
-    void evaluate_responses();
+    void evaluate_responses(ElasticEvaluation wanted);
 
     void displacement_block(unsigned int                q,
                             dealii::FullMatrix<double> &result) const;
@@ -124,6 +137,7 @@ namespace MixedCracks
     std::vector<unsigned int>                  pressure_dofs;
     std::vector<ElasticPoint<dim>>             states;
     std::vector<ElasticResponse<dim>>          responses;
+    ElasticEvaluation evaluated = ElasticEvaluation::points;
   };
 } // namespace MixedCracks
 

@@ -8,14 +8,20 @@
 
 namespace MixedCracks
 {
-  /// The two parts of the shear stress 2 mu eps at one point, in MPa, with
-  /// their derivatives by eps. Their sum is 2 mu eps for every strain, unless
-  /// EnergySplit::adds_up() denies it.
+  /// The two parts of the shear stress 2 mu eps at one point, in MPa. Their
+  /// sum is 2 mu eps for every strain, unless EnergySplit::adds_up() denies
+  /// it.
   template <int dim>
-  struct SplitStress
+  struct StressParts
   {
     dealii::SymmetricTensor<2, dim> positive;
     dealii::SymmetricTensor<2, dim> negative;
+  };
+
+  /// The same with their derivatives by eps.
+  template <int dim>
+  struct SplitStress : StressParts<dim>
+  {
     dealii::SymmetricTensor<4, dim> positive_tangent;
     dealii::SymmetricTensor<4, dim> negative_tangent;
   };
@@ -33,6 +39,10 @@ namespace MixedCracks
     virtual SplitStress<dim>
     evaluate(const dealii::SymmetricTensor<2, dim> &strain,
              double                                 mu) const = 0;
+
+    /// The stresses of evaluate() alone, where nobody asks for tangents.
+    virtual StressParts<dim>
+    parts(const dealii::SymmetricTensor<2, dim> &strain, double mu) const = 0;
 
     /// A small integer that is the same for two strains of this split exactly
     /// when both have the same tangents, so that a matrix need not be built

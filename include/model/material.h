@@ -59,10 +59,13 @@ namespace MixedCracks
     explicit Material(const MaterialDescription &description);
 
     /// Mixed formulation. @p g: degradation of the lagged phase field.
+    /// Without @p with_tangent, stress_by_strain is 0, and it is done in half
+    /// the time.
     ElasticResponse<dim> mixed(const Strain         &strain,
                                double                pressure,
                                double                g,
-                               const PointConstants &at) const;
+                               const PointConstants &at,
+                               bool                  with_tangent = true) const;
 
     ElasticResponse<dim>
     mixed(const Strain &strain, const double pressure, const double g) const
@@ -72,8 +75,10 @@ namespace MixedCracks
 
     /// Displacement formulation: only stress and stress_by_strain are set,
     /// the other members are 0.
-    ElasticResponse<dim>
-    eliminated(const Strain &strain, double g, const PointConstants &at) const;
+    ElasticResponse<dim> eliminated(const Strain         &strain,
+                                    double                g,
+                                    const PointConstants &at,
+                                    bool with_tangent = true) const;
 
     ElasticResponse<dim>
     eliminated(const Strain &strain, const double g) const

@@ -36,6 +36,9 @@ namespace MixedCracks
     SplitStress<dim> evaluate(const dealii::SymmetricTensor<2, dim> &strain,
                               double mu) const override;
 
+    StressParts<dim> parts(const dealii::SymmetricTensor<2, dim> &strain,
+                           double mu) const override;
+
     /// Only where all principal strains have one sign does the tangent not
     /// depend on their directions.
     int branch(const dealii::SymmetricTensor<2, dim> &strain) const override;

@@ -16,11 +16,13 @@ namespace MixedCracks
     resume
   };
 
-  /// Make @p directory ready for a run: create it and its subdirectories, see
-  /// that files can be written, and treat a run that is there already as
-  /// @p existing says. Done on rank 0; throws FileError on every rank alike.
+  /// Make @p directory ready for a run: create it, and in it "fields" where
+  /// @p with_fields, see that files can be written, and treat a run that is
+  /// there already as @p existing says. Done on rank 0; throws FileError on
+  /// every rank alike.
   void prepare_output_directory(const std::string &directory,
                                 ExistingRun        existing,
+                                bool               with_fields,
                                 MPI_Comm           communicator);
 
   /// What is at a directory before a run, so that a run that is refused later,

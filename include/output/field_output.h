@@ -25,11 +25,18 @@ namespace MixedCracks
   class FieldOutput
   {
   public:
-    /// @p directory: the output directory, with "fields" in it. @p format:
-    /// "VTU", "XDMF" or "both".
+    /// @p directory: the output directory, with "fields" in it unless nothing
+    /// is written. @p format: "VTU", "XDMF", "both" or "none".
     FieldOutput(const Fields<dim> &fields,
                 const std::string &directory,
                 const std::string &format = "VTU");
+
+    /// Whether write() writes anything.
+    bool
+    is_on() const
+    {
+      return writes_vtu || writes_xdmf;
+    }
 
     /// Write @p state as step @p step unless that step is written already.
     /// @p cell_data: further values per active cell, by name. Throws
@@ -42,6 +49,13 @@ namespace MixedCracks
     has(const unsigned int step) const
     {
       return steps.count(step) > 0;
+    }
+
+    /// Never write @p step: its state is gone.
+    void
+    leave_out(const unsigned int step)
+    {
+      steps.insert(step);
     }
 
     /// Continue the list of a resumed run.

@@ -21,6 +21,13 @@ namespace MixedCracks
     /// Enters the subsection itself.
     void add_parameters(dealii::ParameterHandler &prm);
 
+    /// Whether any fields are to be written.
+    bool
+    with_fields() const
+    {
+      return field_format != "none";
+    }
+
     /// Throws InputError for an empty directory name, and for a format that
     /// this deal.II cannot write.
     void check() const;

@@ -82,6 +82,9 @@ def why_no_fields(results):
     if os.path.isfile(os.path.join(results.directory, "fields.xdmf")):
         return "The fields are in fields.xdmf, for ParaView. Pictures on this page " \
             "need VTU: <code>Output/Field format = VTU</code> or <code>both</code>."
+    if results.parameter("Output/Field format") == "none":
+        return "This run writes no fields (<code>Output/Field format = none</code>), " \
+            "so there are no pictures."
     return "No fields have been written (fields.pvd names no file that exists)."
 
 

@@ -72,15 +72,16 @@ namespace MixedCracks
 
   template <int dim>
   void
-  Assembler<dim>::load_elastic(const unsigned int cell,
-                               const Vector      &elastic,
-                               const Vector      &lagged_phase_field)
+  Assembler<dim>::load_elastic(const unsigned int      cell,
+                               const Vector           &elastic,
+                               const Vector           &lagged_phase_field,
+                               const ElasticEvaluation wanted)
   {
     elastic_kernel.reinit(cells->geometry(cell), (*constants)[cell]);
     cells->elastic.read(cell, elastic, local_elastic);
     cells->phase_field.read(cell, lagged_phase_field, local_phase_field);
     phase_field_kernel.interpolate(local_phase_field, lagged_values);
-    elastic_kernel.set_state(local_elastic, lagged_values);
+    elastic_kernel.set_state(local_elastic, lagged_values, wanted);
   }
 
 
@@ -118,7 +119,8 @@ namespace MixedCracks
     const std::size_t      n = fields.quadrature.size();
     for (unsigned int cell = 0; cell < cells->n_cells(); ++cell)
     {
-      load_elastic(cell, elastic, lagged_phase_field);
+      load_elastic(
+        cell, elastic, lagged_phase_field, ElasticEvaluation::stresses);
       std::copy(elastic_kernel.points().begin(),
                 elastic_kernel.points().end(),
                 present.begin() + cell * n);
@@ -271,7 +273,8 @@ namespace MixedCracks
     const std::vector<double> nothing(fields.quadrature.size(), 0.);
     for (unsigned int cell = 0; cell < cells->n_cells(); ++cell)
     {
-      load_elastic(cell, elastic, lagged_phase_field);
+      load_elastic(
+        cell, elastic, lagged_phase_field, ElasticEvaluation::points);
       sum.elastic += elastic_kernel.energy();
       phase_field_kernel.reinit(cells->geometry(cell), (*constants)[cell]);
       cells->phase_field.read(cell, phase_field, local_phase_field);
@@ -304,7 +307,8 @@ namespace MixedCracks
     };
     for (unsigned int cell = 0; cell < cells->n_cells(); ++cell)
     {
-      load_elastic(cell, elastic, lagged_phase_field);
+      load_elastic(
+        cell, elastic, lagged_phase_field, ElasticEvaluation::stresses);
       const auto         averages = elastic_kernel.averages();
       const unsigned int index    = cells->active_index(cell);
       for (unsigned int i = 0; i < dim; ++i)

@@ -60,7 +60,8 @@ namespace MixedCracks
   template <int dim>
   void
   ElasticKernel<dim>::set_state(const Vector<double>      &local,
-                                const std::vector<double> &lagged_phase_field)
+                                const std::vector<double> &lagged_phase_field,
+                                const ElasticEvaluation    wanted)
   {
     for (unsigned int q = 0; q < states.size(); ++q)
     {
@@ -90,7 +91,7 @@ namespace MixedCracks
                        ? 0
                        : material.branch(point.strain, point.pressure);
     }
-    evaluate_responses();
+    evaluate_responses(wanted);
   }
 
 
@@ -100,23 +101,29 @@ namespace MixedCracks
   ElasticKernel<dim>::set_points(const ElasticPoint<dim> *first)
   {
     std::copy(first, first + states.size(), states.begin());
-    evaluate_responses();
+    evaluate_responses(ElasticEvaluation::tangents);
   }
 
 
 
   template <int dim>
   void
-  ElasticKernel<dim>::evaluate_responses()
+  ElasticKernel<dim>::evaluate_responses(const ElasticEvaluation wanted)
   {
+    evaluated = wanted;
+    if (wanted == ElasticEvaluation::points)
+      return;
+    const bool with_tangent = wanted == ElasticEvaluation::tangents;
     for (unsigned int q = 0; q < states.size(); ++q)
       responses[q] = mixed ? material.mixed(states[q].strain,
                                             states[q].pressure,
                                             states[q].degradation,
-                                            constants[q])
+                                            constants[q],
+                                            with_tangent)
                            : material.eliminated(states[q].strain,
                                                  states[q].degradation,
-                                                 constants[q]);
+                                                 constants[q],
+                                                 with_tangent);
   }
 
 
@@ -125,6 +132,8 @@ namespace MixedCracks
   void
   ElasticKernel<dim>::residual(Vector<double> &result) const
   {
+    Assert(evaluated != ElasticEvaluation::points,
+           ExcMessage("The stresses have not been evaluated."));
     result = 0.;
     for (unsigned int q = 0; q < states.size(); ++q)
     {
@@ -210,6 +219,8 @@ namespace MixedCracks
   void
   ElasticKernel<dim>::jacobian(FullMatrix<double> &result) const
   {
+    Assert(evaluated == ElasticEvaluation::tangents,
+           ExcMessage("The tangents have not been evaluated."));
     result = 0.;
     for (unsigned int q = 0; q < states.size(); ++q)
     {

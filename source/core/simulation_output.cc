@@ -13,7 +13,8 @@ namespace MixedCracks
   Simulation<dim>::prepare_output(const ExistingRun existing)
   {
     const std::string &directory = parameters.output.directory;
-    prepare_output_directory(directory, existing, communicator);
+    prepare_output_directory(
+      directory, existing, parameters.output.with_fields(), communicator);
     log.open(directory + "/log.txt", existing == ExistingRun::resume);
     statistics.open(directory + "/statistics.csv",
                     dim,
@@ -137,6 +138,8 @@ namespace MixedCracks
   void
   Simulation<dim>::write_fields(const State &state, const unsigned int step)
   {
+    if (!field_output.is_on())
+      return; // stresses of all cells would be evaluated for nothing
     field_output.write(
       state,
       step,

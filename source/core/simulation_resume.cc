@@ -72,6 +72,9 @@ namespace MixedCracks
                           state.phase_field);
     crack_opening_file.restore(resumed->rows.back().step);
     field_output.restore(resumed->field_files);
+    // a run without fields kept nothing of its peak, and this state is another
+    if (peak_step < resumed->rows.back().step)
+      field_output.leave_out(peak_step);
     log.line("resumed at step " +
              std::to_string(statistics.rows().back().step));
     return state;

@@ -28,6 +28,13 @@ namespace MixedCracks
         return result;
       }
 
+      StressParts<dim>
+      parts(const SymmetricTensor<2, dim> &strain,
+            const double                   mu) const override
+      {
+        return {2. * mu * strain, {}};
+      }
+
       int
       branch(const SymmetricTensor<2, dim> &) const override
       {
@@ -75,8 +82,19 @@ namespace MixedCracks
                const double                   mu) const override
       {
         SplitStress<dim> result;
+        static_cast<StressParts<dim> &>(result) = parts(strain, mu);
+        result.positive_tangent                 = 2. * mu * deviatoric;
+        (expands(strain) ? result.positive_tangent : result.negative_tangent) +=
+          factor * mu * volumetric;
+        return result;
+      }
+
+      StressParts<dim>
+      parts(const SymmetricTensor<2, dim> &strain,
+            const double                   mu) const override
+      {
+        StressParts<dim> result;
         result.positive            = 2. * mu * strain;
-        result.positive_tangent    = 2. * mu * deviatoric;
         const double volume_change = trace(strain);
         const bool   expansion     = expands(strain);
         const double pressure      = factor * mu * volume_change;
@@ -85,8 +103,6 @@ namespace MixedCracks
           result.positive[d][d] -= 2. * mu / n * volume_change;
           (expansion ? result.positive : result.negative)[d][d] += pressure;
         }
-        (expansion ? result.positive_tangent : result.negative_tangent) +=
-          factor * mu * volumetric;
         return result;
       }
 

@@ -26,16 +26,35 @@ namespace MixedCracks
           tangent[d][d][e][e] += stiffness;
     }
 
-    // g sigma+ + sigma- of the part 2 mu eps, and its tangent
+    // g sigma+ + sigma- of the part 2 mu eps
     template <int dim>
     void
-    set_shear_part(ElasticResponse<dim>   &response,
-                   const SplitStress<dim> &parts,
-                   const double            g)
+    set_shear_stress(ElasticResponse<dim>   &response,
+                     const StressParts<dim> &parts,
+                     const double            g)
     {
       response.stress = parts.positive;
       response.stress *= g;
       response.stress += parts.negative;
+    }
+
+    // and its tangent, which takes longer, where it is asked for
+    template <int dim>
+    void
+    set_shear_part(ElasticResponse<dim>          &response,
+                   const EnergySplit<dim>        &split,
+                   const SymmetricTensor<2, dim> &strain,
+                   const double                   mu,
+                   const double                   g,
+                   const bool                     with_tangent)
+    {
+      if (!with_tangent)
+      {
+        set_shear_stress(response, split.parts(strain, mu), g);
+        return;
+      }
+      const SplitStress<dim> parts = split.evaluate(strain, mu);
+      set_shear_stress<dim>(response, parts, g);
       response.stress_by_strain = parts.positive_tangent;
       response.stress_by_strain *= g;
       response.stress_by_strain += parts.negative_tangent;
@@ -72,12 +91,13 @@ namespace MixedCracks
   Material<dim>::mixed(const Strain         &strain,
                        const double          pressure,
                        const double          g,
-                       const PointConstants &at) const
+                       const PointConstants &at,
+                       const bool            with_tangent) const
   {
     const PressureCoefficients law =
       pressure_coefficients(g, is_tension(pressure), at);
     ElasticResponse<dim> response;
-    set_shear_part(response, split->evaluate(strain, at.mu), g);
+    set_shear_part(response, *split, strain, at.mu, g, with_tangent);
     add_pressure(response.stress, law.stress * pressure);
     response.stress_by_pressure = law.stress;
     response.constraint =
@@ -93,7 +113,8 @@ namespace MixedCracks
   ElasticResponse<dim>
   Material<dim>::eliminated(const Strain         &strain,
                             const double          g,
-                            const PointConstants &at) const
+                            const PointConstants &at,
+                            const bool            with_tangent) const
   {
     // the eliminated pressure has the sign of the trace
     const double volume_change = trace(strain);
@@ -101,9 +122,10 @@ namespace MixedCracks
       pressure_coefficients(g, is_tension(volume_change), at)
         .eliminated_stiffness();
     ElasticResponse<dim> response;
-    set_shear_part(response, split->evaluate(strain, at.mu), g);
+    set_shear_part(response, *split, strain, at.mu, g, with_tangent);
     add_pressure(response.stress, bulk_stiffness * volume_change);
-    add_bulk_stiffness(response.stress_by_strain, bulk_stiffness);
+    if (with_tangent)
+      add_bulk_stiffness(response.stress_by_strain, bulk_stiffness);
     response.stress_by_pressure     = 0.;
     response.constraint             = 0.;
     response.constraint_by_trace    = 0.;
@@ -134,7 +156,7 @@ namespace MixedCracks
                                const double          g,
                                const PointConstants &at) const
   {
-    double force = split->evaluate(strain, at.mu).positive * strain;
+    double force = split->parts(strain, at.mu).positive * strain;
     if (is_tension(pressure))
       force +=
         pressure_coefficients(g, true, at).driving * pressure * trace(strain);
@@ -150,7 +172,7 @@ namespace MixedCracks
                                 const double          g,
                                 const PointConstants &at) const
   {
-    const SplitStress<dim> parts = split->evaluate(strain, at.mu);
+    const StressParts<dim> parts = split->parts(strain, at.mu);
     const double           transmitted_pressure =
       pressure_coefficients(g, is_tension(pressure), at).stress * pressure;
     return 0.5 * (g * (parts.positive * strain) + parts.negative * strain +

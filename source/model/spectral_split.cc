@@ -11,19 +11,84 @@ namespace MixedCracks
   using dealii::SymmetricTensor;
   using dealii::Tensor;
 
-  // In closed form: a general algorithm takes ten times as long, and this is
-  // evaluated at every point in every iteration.
+  namespace
+  {
+    // Mohr's circle: centre and radius, and its point of this strain
+    struct Circle
+    {
+      explicit Circle(const SymmetricTensor<2, 2> &strain)
+        : mean(0.5 * (strain[0][0] + strain[1][1]))
+        , difference(0.5 * (strain[0][0] - strain[1][1]))
+        , shear(strain[0][1])
+        , radius(std::sqrt(difference * difference + shear * shear))
+      {}
+
+      std::array<double, 2>
+      values() const
+      {
+        return {{mean + radius, mean - radius}};
+      }
+
+      const double mean, difference, shear, radius;
+    };
+
+    // 1 or -1: all principal strains are positive or negative; 0: neither
+    int
+    common_sign(const SymmetricTensor<2, 2> &strain)
+    {
+      const auto values = Circle(strain).values();
+      return values[1] > 0. ? 1 : (values[0] < 0. ? -1 : 0);
+    }
+
+    // By the leading minors, which need no principal strains; 0 as well where
+    // rounding could decide.
+    int
+    common_sign(const SymmetricTensor<2, 3> &strain)
+    {
+      constexpr double rounding = 1e-12;
+      const double     sign     = trace(strain) > 0. ? 1. : -1.;
+      const double     size     = std::abs(trace(strain));
+      const double     first    = sign * strain[0][0];
+      const double     second =
+        strain[0][0] * strain[1][1] - strain[0][1] * strain[0][1];
+      const double third = sign * determinant(strain);
+      return first > rounding * size && second > rounding * size * size &&
+                 third > rounding * size * size * size
+               ? static_cast<int>(sign)
+               : 0;
+    }
+  } // namespace
+
+
+
+  // In closed form, and by square roots alone: a general algorithm takes ten
+  // times as long, angles three times, and this is evaluated at every point
+  // in every iteration.
   template <>
   PrincipalStrains<2>
   principal_strains(const SymmetricTensor<2, 2> &strain)
   {
-    const double mean       = 0.5 * (strain[0][0] + strain[1][1]);
-    const double difference = 0.5 * (strain[0][0] - strain[1][1]);
-    const double radius     = std::hypot(difference, strain[0][1]);
-    const double angle      = 0.5 * std::atan2(strain[0][1], difference);
-    const double c = std::cos(angle), s = std::sin(angle);
-    return {{{mean + radius, mean - radius}},
-            {{Tensor<1, 2>({c, s}), Tensor<1, 2>({-s, c})}}};
+    const Circle circle(strain);
+    // the first direction (c, s) is at half the angle on the circle, between
+    // -90 and 90 degrees; the larger of the two first, which loses no digits
+    double c = 1., s = 0.;
+    if (circle.radius > 0.)
+    {
+      const double cosine = circle.difference / circle.radius;
+      const double sine   = circle.shear / circle.radius;
+      const double larger = std::sqrt(0.5 * (1. + std::abs(cosine)));
+      if (cosine >= 0.)
+      {
+        c = larger;
+        s = 0.5 * sine / larger;
+      }
+      else
+      {
+        c = 0.5 * std::abs(sine) / larger;
+        s = std::copysign(larger, sine);
+      }
+    }
+    return {circle.values(), {{Tensor<1, 2>({c, s}), Tensor<1, 2>({-s, c})}}};
   }
 
 
@@ -116,16 +181,16 @@ namespace MixedCracks
                                const double                   mu) const
   {
     SplitStress<dim> result;
-    const auto       principal = principal_strains(strain);
-    const auto      &value     = principal.values;
     // one sign: exactly everything or nothing, and no need of directions
-    if (value[dim - 1] > 0.)
+    const int sign = common_sign(strain);
+    if (sign > 0)
     {
       result.positive         = strain;
       result.positive_tangent = identity_tensor<dim>();
     }
-    else if (!(value[0] < 0.))
-      add_tension(principal, result.positive, result.positive_tangent);
+    else if (sign == 0)
+      add_tension(
+        principal_strains(strain), result.positive, result.positive_tangent);
     result.positive *= 2. * mu;
     result.positive_tangent *= 2. * mu;
     result.negative = 2. * mu * strain - result.positive;
@@ -137,11 +202,34 @@ namespace MixedCracks
 
 
   template <int dim>
+  StressParts<dim>
+  SpectralSplit<dim>::parts(const SymmetricTensor<2, dim> &strain,
+                            const double                   mu) const
+  {
+    StressParts<dim> result;
+    const int        sign = common_sign(strain);
+    if (sign > 0)
+      result.positive = strain;
+    else if (sign == 0)
+    {
+      const auto principal = principal_strains(strain);
+      for (unsigned int a = 0; a < dim && principal.values[a] > 0.; ++a)
+        result.positive += principal.values[a] * dyad(principal.directions[a],
+                                                      principal.directions[a]);
+    }
+    result.positive *= 2. * mu;
+    result.negative = 2. * mu * strain - result.positive;
+    return result;
+  }
+
+
+
+  template <int dim>
   int
   SpectralSplit<dim>::branch(const SymmetricTensor<2, dim> &strain) const
   {
-    const auto value = principal_strains(strain).values;
-    return value[dim - 1] > 0. ? 1 : (value[0] < 0. ? 0 : -1);
+    const int sign = common_sign(strain);
+    return sign == 0 ? -1 : (sign > 0 ? 1 : 0);
   }
 
 

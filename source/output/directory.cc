@@ -62,7 +62,9 @@ namespace MixedCracks
     }
 
     void
-    prepare(const fs::path &directory, const ExistingRun existing)
+    prepare(const fs::path   &directory,
+            const ExistingRun existing,
+            const bool        with_fields)
     {
       if (fs::exists(directory) && !fs::is_directory(directory))
         throw FileError("Output/Directory: '" + directory.string() +
@@ -78,7 +80,8 @@ namespace MixedCracks
       if (found && existing == ExistingRun::overwrite)
         for (const char *name : run_files)
           fs::remove_all(directory / name);
-      fs::create_directories(directory / "fields");
+      if (with_fields)
+        fs::create_directories(directory / "fields");
     }
   } // namespace
 
@@ -132,13 +135,14 @@ namespace MixedCracks
   void
   prepare_output_directory(const std::string &directory,
                            const ExistingRun  existing,
+                           const bool         with_fields,
                            const MPI_Comm     communicator)
   {
     std::string message;
     if (dealii::Utilities::MPI::this_mpi_process(communicator) == 0)
       try
       {
-        prepare(directory, existing);
+        prepare(directory, existing, with_fields);
       }
       catch (const FileError &error)
       {

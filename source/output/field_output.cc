@@ -67,8 +67,8 @@ namespace MixedCracks
                                 const std::string &format)
     : fields(fields)
     , directory(directory)
-    , writes_vtu(format != "XDMF")
-    , writes_xdmf(format != "VTU")
+    , writes_vtu(format == "VTU" || format == "both")
+    , writes_xdmf(format == "XDMF" || format == "both")
     , xdmf(directory, fields.communicator())
     , mesh_watch(fields.elastic.get_triangulation().signals.any_change.connect(
         [this]() { xdmf.mesh_changed(); }))
@@ -82,7 +82,7 @@ namespace MixedCracks
                           const unsigned int                          step,
                           const std::map<std::string, Vector<float>> &cell_data)
   {
-    if (!steps.insert(step).second)
+    if (!is_on() || !steps.insert(step).second)
       return;
     DataOut<dim>          data_out;
     const auto           &triangulation = fields.elastic.get_triangulation();

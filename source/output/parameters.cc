@@ -31,9 +31,11 @@ namespace MixedCracks
                       field_format,
                       "'VTU': fields.pvd, one compressed file for each rank "
                       "and step; 'XDMF': fields.xdmf, one HDF5 file for each "
-                      "step and one for each mesh, for large runs; 'both'. The "
-                      "scripts that draw pictures read VTU.",
-                      Patterns::Selection("VTU|XDMF|both"));
+                      "step and one for each mesh, for large runs; 'both'; "
+                      "'none': no fields at all, for sweeps of which only "
+                      "curves, paths and tables are wanted. The scripts that "
+                      "draw pictures read VTU.",
+                      Patterns::Selection("VTU|XDMF|both|none"));
     prm.add_parameter("Checkpoint every",
                       checkpoint_every,
                       "A checkpoint to continue from with --resume is written "
@@ -64,9 +66,10 @@ namespace MixedCracks
     if (directory.empty())
       throw InputError("Output/Directory: found nothing, allowed is the name "
                        "of a directory.");
-    if (field_format != "VTU" && !has_hdf5())
+    const bool needs_hdf5 = field_format == "XDMF" || field_format == "both";
+    if (needs_hdf5 && !has_hdf5())
       throw InputError("Output/Field format: found '" + field_format +
                        "', which needs a deal.II that was built with HDF5; "
-                       "this one was not. Allowed: VTU.");
+                       "this one was not. Allowed: VTU, none.");
   }
 } // namespace MixedCracks

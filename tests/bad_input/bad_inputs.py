@@ -415,7 +415,7 @@ OUTPUT = [
         says=("Boundary conditions/Displacement", FINITE)),
     dict(name="output is a file", set=["Output/Directory=case.prm"],
          status=4, says=("Output/Directory", "'case.prm'", "is a file", "directory")),
-    value("Output/Field format", "HDF", "'HDF'", "VTU", "XDMF", "both"),
+    value("Output/Field format", "HDF", "'HDF'", "VTU", "XDMF", "both", "none"),
     dict(name="output cannot be made", set=["Output/Directory=/proc/results"],
          status=4, says=("Output/Directory", "/proc/results")),
     dict(name="files cannot be written", set=["Output/Directory=/proc/self"],

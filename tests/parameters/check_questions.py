@@ -34,9 +34,10 @@ class Questions(unittest.TestCase):
         self.directory.cleanup()
 
     def ask(self, *arguments, ranks=1):
-        """Output of a call that must succeed."""
+        """Output of a call that must succeed; ranks=None: without launcher."""
+        launcher = [] if ranks is None else [COMMAND[1], "-n", str(ranks)]
         process = subprocess.run(
-            [COMMAND[1], "-n", str(ranks), COMMAND[0]] + list(arguments),
+            launcher + [COMMAND[0]] + list(arguments),
             cwd=self.folder, stdin=subprocess.DEVNULL, stdout=subprocess.PIPE,
             stderr=subprocess.PIPE, universal_newlines=True, timeout=60)
         self.assertEqual(process.stderr, "")
@@ -98,6 +99,57 @@ class Questions(unittest.TestCase):
                 texts.append(stream.read().replace("= " + name, "= here"))
         self.assertEqual(*texts)
         self.assertIn("set Thickness", texts[0])
+
+    def test_with_and_without_launcher(self):
+        for name, ranks in (("two", 2), ("one", 1), ("none", None)):
+            self.assertIn("ranks: %d;" % (ranks or 1), self.ask(
+                "--output", name, "case.prm", ranks=ranks))
+        alone = self.rows("none", "statistics.csv")
+        self.assertEqual(len(alone), 3)
+        self.assertEqual(alone, self.rows("one", "statistics.csv"))
+
+    def test_settings_of_open_mpi_are_left_alone(self):
+        if "Open MPI" not in self.ask("--version"):
+            self.skipTest("another implementation of MPI")
+        # were they set over, the program would start
+        for name in ("OMPI_MCA_pml", "OMPI_MCA_btl"):
+            process = subprocess.run(
+                [COMMAND[0], "--version"], env=dict(os.environ, **{name: "unheard-of"}),
+                stdin=subprocess.DEVNULL, stdout=subprocess.PIPE,
+                stderr=subprocess.STDOUT, universal_newlines=True, timeout=60)
+            self.assertNotEqual(process.returncode, 0, name)
+
+    def files(self, *path):
+        """Names of the fields that a run has left, or of their list."""
+        found = os.listdir(os.path.join(self.folder, *path))
+        return sorted(name for name in found if "fields" in name)
+
+    def test_without_fields(self):
+        none = ("--set", "Output/Field format=none")
+        for ranks in (1, 2):
+            self.ask("case.prm", "--overwrite", *none, ranks=ranks)
+            self.assertEqual(self.files("results"), [])
+            for name in ("parameters.prm", "log.txt", "summary.json"):
+                self.assertGreater(
+                    os.path.getsize(os.path.join(self.folder, "results", name)), 0)
+        self.ask("case.prm", "--output", "with", ranks=2)
+        self.assertEqual(self.files("with"), ["fields", "fields.pvd"])
+        self.assertEqual(self.rows("results", "statistics.csv"),
+                         self.rows("with", "statistics.csv"))
+
+    def test_fields_of_a_continued_run_without(self):
+        # the force is largest at t = 1; its state is gone when the run goes on
+        settings = ("--set", "Output/Checkpoint every=1", "--set",
+                    "Boundary conditions/Displacement=top : all : 0 ; "
+                    "bottom : x : 0 ; bottom : y : -0.1*t*(2-t)", "case.prm")
+        self.ask("--set", "Output/Field format=none",
+                 "--set", "Load stepping/End time=1.5", *settings)
+        self.ask("--resume", "--set", "Load stepping/End time=2", *settings)
+        forces = [float(row["force_y_N"])
+                  for row in self.rows("results", "statistics.csv")]
+        self.assertEqual(forces.index(max(forces)), 2)
+        self.assertEqual(self.files("results", "fields"),
+                         ["fields_00004.0.vtu", "fields_00004.pvtu"])
 
     def test_overwrite(self):
         self.ask("case.prm")

@@ -201,6 +201,17 @@ class Report(unittest.TestCase):
         self.assertIn("Output/Field format = VTU", text)
         self.assertNotIn("No fields have been written", text)
 
+    def test_fields_switched_off(self):
+        synthetic_run.write_statistics(self.directory)
+        synthetic_run.write_crack_path(self.directory)
+        synthetic_run.write(self.path("parameters.prm"),
+                            "subsection Output\n  set Field format = none\nend\n")
+        text = self.page()
+        self.assertIn("This run writes no fields", text)
+        self.assertNotIn("No fields have been written", text)
+        self.assertIn("<td>notch</td><td>right</td>", text)
+        self.assertNotIn("data:image/png", text)
+
     def test_damaged_fields(self):
         synthetic_run.write_run(self.directory)
         path = self.path(os.path.join("fields", "step_1.1.vtu"))

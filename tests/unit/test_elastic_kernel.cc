@@ -83,7 +83,7 @@ namespace
     residual(const LocalVector &local)
     {
       LocalVector result(local.size());
-      kernel.set_state(local, lagged_phase_field);
+      kernel.set_state(local, lagged_phase_field, ElasticEvaluation::stresses);
       kernel.residual(result);
       return result;
     }
@@ -91,7 +91,7 @@ namespace
     double
     energy(const LocalVector &local)
     {
-      kernel.set_state(local, lagged_phase_field);
+      kernel.set_state(local, lagged_phase_field, ElasticEvaluation::points);
       return kernel.energy();
     }
 

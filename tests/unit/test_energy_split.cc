@@ -102,6 +102,25 @@ TYPED_TEST(EnergySplitTest, PartsAddUpToTheElasticStress)
 
 
 
+TYPED_TEST(EnergySplitTest, PartsAloneAreThoseWithTangents)
+{
+  constexpr int dim = TypeParam::value;
+  for_all_splits<dim>([](const EnergySplit<dim> &split, int) {
+    for (const auto &strain : random_strains<dim>(50))
+      for (const double shift : {-0.03, 0., 0.03}) // one sign and both
+      {
+        const auto there =
+          strain + shift * dealii::unit_symmetric_tensor<dim>();
+        const StressParts<dim> alone = split.parts(there, mu);
+        const SplitStress<dim> all   = split.evaluate(there, mu);
+        EXPECT_LT((alone.positive - all.positive).norm(), 1e-16);
+        EXPECT_LT((alone.negative - all.negative).norm(), 1e-16);
+      }
+  });
+}
+
+
+
 TYPED_TEST(EnergySplitTest, OnlyThePrintedPairDoesNotAddUp)
 {
   constexpr int dim = TypeParam::value;

@@ -347,6 +347,35 @@ TEST(FieldOutput, AMeshIsWrittenOnceAndAResumedListContinued)
 
 
 
+TEST(FieldOutput, NoneIsWritten)
+{
+  Written<2>     run("none", 1);
+  FieldOutput<2> output(run.fields, run.directory, "none");
+  EXPECT_FALSE(output.is_on());
+  run.write(output, 0);
+  run.write(output, 3);
+  EXPECT_TRUE(output.records().empty());
+  MPI_Barrier(MPI_COMM_WORLD);
+  EXPECT_TRUE(fs::is_empty(run.directory + "/fields"));
+  EXPECT_FALSE(run.has_file("fields.pvd") || run.has_file("fields.xdmf"));
+}
+
+
+
+TEST(FieldOutput, AStepThatIsLeftOutIsNotWritten)
+{
+  Written<2>     run("left_out", 1);
+  FieldOutput<2> output(run.fields, run.directory, "VTU");
+  EXPECT_TRUE(output.is_on());
+  output.leave_out(2);
+  run.write(output, 2);
+  EXPECT_TRUE(output.records().empty());
+  run.write(output, 3);
+  EXPECT_EQ(output.records().size(), 1u);
+}
+
+
+
 TEST(FieldOutput, WhatCannotBeWrittenIsAFileErrorOnAllRanks)
 {
   Written<2> run("unwritable", 1);

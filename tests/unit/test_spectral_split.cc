@@ -239,3 +239,148 @@ TEST(SpectralSplit, PlaneStrainIsTheRestrictionOfTheLawInSpace)
       }
   }
 }
+
+
+
+namespace
+{
+  // (M4) as it is written down, with principal strains and directions
+  // whatever their signs
+  template <int dim>
+  SplitStress<dim>
+  by_principal_strains(const SymmetricTensor<2, dim> &strain)
+  {
+    const PrincipalStrains<dim> principal = principal_strains(strain);
+    const auto                 &value     = principal.values;
+    const auto       slope = [](const double a) { return a > 0. ? 1. : 0.; };
+    SplitStress<dim> result;
+    for (unsigned int a = 0; a < dim; ++a)
+      for (unsigned int b = 0; b < dim; ++b)
+      {
+        const auto across = symmetrize(
+          outer_product(principal.directions[a], principal.directions[b]));
+        const double secant =
+          value[a] == value[b]
+            ? slope(value[a])
+            : (std::max(value[a], 0.) - std::max(value[b], 0.)) /
+                (value[a] - value[b]);
+        result.positive_tangent +=
+          2. * mu * secant * dealii::outer_product(across, across);
+        if (a == b)
+          result.positive += 2. * mu * std::max(value[a], 0.) * across;
+      }
+    return result;
+  }
+
+  // strains of one sign and of both, by the smallest and the largest one
+  template <int dim>
+  SymmetricTensor<2, dim>
+  shifted(const SymmetricTensor<2, dim> &strain, const double shift)
+  {
+    return strain + shift * dealii::unit_symmetric_tensor<dim>();
+  }
+} // namespace
+
+
+
+TYPED_TEST(SpectralSplitTest, WithoutDirectionsItIsTheSame)
+{
+  constexpr int            dim = TypeParam::value;
+  const SpectralSplit<dim> split;
+  unsigned int             n_tension = 0, n_compression = 0, n_both = 0;
+  for (const auto &strain : random_strains<dim>(40))
+    for (const double shift : {-0.04, -0.011, -0.003, 0., 0.003, 0.011, 0.04})
+    {
+      const auto here = shifted(strain, shift);
+      SCOPED_TRACE(here);
+      const auto   found    = split.evaluate(here, mu);
+      const auto   expected = by_principal_strains(here);
+      const double largest  = eigenvalues(here)[0];
+      const double smallest = eigenvalues(here)[dim - 1];
+      EXPECT_LT((found.positive - expected.positive).norm(), 1e-15);
+      EXPECT_LT((found.positive_tangent - expected.positive_tangent).norm(),
+                1e-13);
+      EXPECT_EQ(split.branch(here),
+                smallest > 0. ? 1 : (largest < 0. ? 0 : -1));
+      n_tension += smallest > 0.;
+      n_compression += largest < 0.;
+      n_both += smallest < 0. && largest > 0.;
+    }
+  EXPECT_GT(std::min({n_tension, n_compression, n_both}), 30u);
+}
+
+
+
+// On both sides of a principal strain of 0, as near as doubles get: the stress
+// is continuous, and a branch other than -1 promises the tangent of one sign.
+TYPED_TEST(SpectralSplitTest, NearAVanishingStrainBothWaysAgree)
+{
+  constexpr int            dim = TypeParam::value;
+  const SpectralSplit<dim> split;
+  const auto               identity = 2. * mu * dealii::identity_tensor<dim>();
+  for (const double other : {0.01, -0.01})
+    for (const double size : {0., 1e-30, 1e-20, 1e-17, 1e-14, 1e-12, 1e-8})
+      for (const double sign : {-1., 1.})
+      {
+        std::array<double, dim> entries;
+        entries.fill(other);
+        entries[dim - 1]  = sign * size;
+        const auto strain = rotated(diagonal<dim>(entries));
+        SCOPED_TRACE(strain);
+        const auto found = split.evaluate(strain, mu);
+        EXPECT_LT(
+          (found.positive - by_principal_strains(strain).positive).norm(),
+          1e-15);
+        EXPECT_LT((found.positive + found.negative - 2. * mu * strain).norm(),
+                  1e-16);
+        const int branch = split.branch(strain);
+        if (branch >= 0)
+        {
+          EXPECT_EQ(branch, other > 0. ? 1 : 0);
+          EXPECT_EQ((found.positive_tangent - branch * identity).norm(), 0.);
+        }
+        if (size == 1e-8) // far from rounding
+        {
+          EXPECT_EQ(branch, sign * other < 0. ? -1 : (other > 0. ? 1 : 0));
+        }
+      }
+}
+
+
+
+// Without angles: all around Mohr's circle, and as near to its axis as can be.
+TEST(SpectralSplit, DirectionsInThePlaneAreExact)
+{
+  std::vector<std::array<double, 2>> points{{{1., 0.}},
+                                            {{-1., 0.}},
+                                            {{0., 1.}},
+                                            {{0., -1.}},
+                                            {{-1., 1e-9}},
+                                            {{-1., -1e-9}},
+                                            {{-1., 1e-20}},
+                                            {{1., 1e-20}},
+                                            {{1e-12, 1.}},
+                                            {{-1e-12, 1.}}};
+  for (unsigned int i = 0; i < 48; ++i)
+  {
+    const double angle = 2. * dealii::numbers::PI * i / 48;
+    points.push_back({{std::cos(angle), std::sin(angle)}});
+  }
+  for (const auto &[difference, shear] : points)
+  {
+    SymmetricTensor<2, 2> strain;
+    strain[0][0]         = 0.01 * (0.3 + difference);
+    strain[1][1]         = 0.01 * (0.3 - difference);
+    strain[0][1]         = 0.01 * shear;
+    const auto principal = principal_strains(strain);
+    SCOPED_TRACE(strain);
+    for (unsigned int a = 0; a < 2; ++a)
+    {
+      EXPECT_NEAR(principal.directions[a].norm(), 1., 1e-15);
+      EXPECT_LT((strain * principal.directions[a] -
+                 principal.values[a] * principal.directions[a])
+                  .norm(),
+                1e-17);
+    }
+  }
+}
