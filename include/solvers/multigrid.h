@@ -25,10 +25,20 @@ namespace MixedCracks
                 const std::vector<bool> &rows,
                 const std::vector<bool> &columns);
 
-  /// @p result = @p matrix * @p source, owned entries only. Collective.
+  /// @p result = @p matrix * @p source, or with its transpose, owned entries
+  /// only. Collective.
   void multiply(const Epetra_CrsMatrix &matrix,
                 double                 *result,
-                const double           *source);
+                const double           *source,
+                bool                    transposed = false);
+
+  /// Chebyshev polynomials before and after each coarse step.
+  struct MultigridSmoother
+  {
+    unsigned int degree = 2;
+    /// of the largest eigenvalue to the least one that is smoothed
+    double range = 20.;
+  };
 
   /// One cycle of algebraic multigrid for an elastic operator: smoothed
   /// aggregation by ML, Vanek, Mandel and Brezina, Computing 56 (1996), with
@@ -41,7 +51,8 @@ namespace MixedCracks
     /// of them. @p modes: one vector of the owned rows each.
     Multigrid(std::unique_ptr<Epetra_CrsMatrix>       matrix,
               unsigned int                            n_components,
-              const std::vector<std::vector<double>> &modes);
+              const std::vector<std::vector<double>> &modes,
+              const MultigridSmoother                &smoother = {});
     ~Multigrid();
 
     /// Owned rows only. Collective.

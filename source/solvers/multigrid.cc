@@ -18,8 +18,6 @@ namespace MixedCracks
   {
     using dealii::ExcMessage;
 
-    // Chebyshev polynomials of this degree before and after each coarse step
-    constexpr int smoother_degree = 2;
     // Entries below this, relative to the diagonal, do not join aggregates; on
     // each coarser level half of it. Without it the aggregates of coarser
     // levels are poor where cells differ in size, and iterations grow.
@@ -32,7 +30,8 @@ namespace MixedCracks
     constexpr int coarsest_size = 1500;
 
     Teuchos::ParameterList
-    multigrid_parameters(const unsigned int n_components)
+    multigrid_parameters(const unsigned int       n_components,
+                         const MultigridSmoother &smoother)
     {
       Teuchos::ParameterList list;
       ML_Epetra::SetDefaults("SA", list);
@@ -43,7 +42,8 @@ namespace MixedCracks
       list.set("aggregation: threshold", weak_coupling);
       list.set("aggregation: damping factor", prolongator_damping);
       list.set("smoother: type", "Chebyshev");
-      list.set("smoother: sweeps", smoother_degree);
+      list.set("smoother: sweeps", static_cast<int>(smoother.degree));
+      list.set("smoother: Chebyshev alpha", smoother.range);
       list.set("smoother: pre or post", "both");
       list.set("coarse: type", "Amesos-KLU");
       list.set("coarse: max size", coarsest_size);
@@ -149,12 +149,17 @@ namespace MixedCracks
 
 
   void
-  multiply(const Epetra_CrsMatrix &matrix, double *result, const double *source)
+  multiply(const Epetra_CrsMatrix &matrix,
+           double                 *result,
+           const double           *source,
+           const bool              transposed)
   {
-    const Epetra_Vector in(
-      View, matrix.DomainMap(), const_cast<double *>(source));
-    Epetra_Vector out(View, matrix.RangeMap(), result);
-    const int     error = matrix.Multiply(false, in, out);
+    const Epetra_Map &from =
+      transposed ? matrix.RangeMap() : matrix.DomainMap();
+    const Epetra_Map &to = transposed ? matrix.DomainMap() : matrix.RangeMap();
+    const Epetra_Vector in(View, from, const_cast<double *>(source));
+    Epetra_Vector       out(View, to, result);
+    const int           error = matrix.Multiply(transposed, in, out);
     AssertThrow(error == 0, ExcMessage("a product with a matrix failed"));
   }
 
@@ -162,13 +167,14 @@ namespace MixedCracks
 
   Multigrid::Multigrid(std::unique_ptr<Epetra_CrsMatrix>       new_matrix,
                        const unsigned int                      n_components,
-                       const std::vector<std::vector<double>> &modes)
+                       const std::vector<std::vector<double>> &modes,
+                       const MultigridSmoother                &smoother)
     : matrix(std::move(new_matrix))
   {
     std::vector<double> all_modes;
     for (const std::vector<double> &mode : modes)
       all_modes.insert(all_modes.end(), mode.begin(), mode.end());
-    Teuchos::ParameterList list = multigrid_parameters(n_components);
+    Teuchos::ParameterList list = multigrid_parameters(n_components, smoother);
     list.set("null space: type", "pre-computed");
     list.set("null space: dimension", static_cast<int>(modes.size()));
     list.set("null space: vectors", all_modes.data());
