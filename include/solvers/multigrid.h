@@ -32,12 +32,16 @@ namespace MixedCracks
                 const double           *source,
                 bool                    transposed = false);
 
-  /// Chebyshev polynomials before and after each coarse step.
-  struct MultigridSmoother
+  struct MultigridOptions
   {
-    unsigned int degree = 2;
+    /// of the Chebyshev polynomials before and after each coarse step
+    unsigned int smoother_degree = 2;
     /// of the largest eigenvalue to the least one that is smoothed
-    double range = 20.;
+    double smoothed_range = 20.;
+    /// Entries below this, relative to the diagonal, do not join aggregates;
+    /// on each coarser level half of it. Without it the aggregates of coarser
+    /// levels are poor where cells differ in size, and iterations grow.
+    double weak_coupling = 0.003;
   };
 
   /// One cycle of algebraic multigrid for an elastic operator: smoothed
@@ -52,7 +56,7 @@ namespace MixedCracks
     Multigrid(std::unique_ptr<Epetra_CrsMatrix>       matrix,
               unsigned int                            n_components,
               const std::vector<std::vector<double>> &modes,
-              const MultigridSmoother                &smoother = {});
+              const MultigridOptions                 &options = {});
     ~Multigrid();
 
     /// Owned rows only. Collective.

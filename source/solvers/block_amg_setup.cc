@@ -16,7 +16,7 @@ namespace MixedCracks
   {
     // A coarse level is small, and must not be what limits the iterations:
     // sharper than where multigrid works on all unknowns.
-    constexpr MultigridSmoother on_the_coarse_level = {4, 10.};
+    constexpr MultigridOptions on_the_coarse_level = {4, 10., 0.02};
 
 
 

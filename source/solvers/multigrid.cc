@@ -18,10 +18,6 @@ namespace MixedCracks
   {
     using dealii::ExcMessage;
 
-    // Entries below this, relative to the diagonal, do not join aggregates; on
-    // each coarser level half of it. Without it the aggregates of coarser
-    // levels are poor where cells differ in size, and iterations grow.
-    constexpr double weak_coupling = 0.003;
     // of the Jacobi step that smooths prolongators, over the largest
     // eigenvalue; the usual 4/3 needs one iteration more, up to three in the
     // displacement formulation
@@ -30,8 +26,8 @@ namespace MixedCracks
     constexpr int coarsest_size = 1500;
 
     Teuchos::ParameterList
-    multigrid_parameters(const unsigned int       n_components,
-                         const MultigridSmoother &smoother)
+    multigrid_parameters(const unsigned int      n_components,
+                         const MultigridOptions &options)
     {
       Teuchos::ParameterList list;
       ML_Epetra::SetDefaults("SA", list);
@@ -39,11 +35,11 @@ namespace MixedCracks
       list.set("PDE equations", static_cast<int>(n_components));
       list.set("prec type", "MGW");
       list.set("aggregation: type", "Uncoupled");
-      list.set("aggregation: threshold", weak_coupling);
+      list.set("aggregation: threshold", options.weak_coupling);
       list.set("aggregation: damping factor", prolongator_damping);
       list.set("smoother: type", "Chebyshev");
-      list.set("smoother: sweeps", static_cast<int>(smoother.degree));
-      list.set("smoother: Chebyshev alpha", smoother.range);
+      list.set("smoother: sweeps", static_cast<int>(options.smoother_degree));
+      list.set("smoother: Chebyshev alpha", options.smoothed_range);
       list.set("smoother: pre or post", "both");
       list.set("coarse: type", "Amesos-KLU");
       list.set("coarse: max size", coarsest_size);
@@ -168,13 +164,13 @@ namespace MixedCracks
   Multigrid::Multigrid(std::unique_ptr<Epetra_CrsMatrix>       new_matrix,
                        const unsigned int                      n_components,
                        const std::vector<std::vector<double>> &modes,
-                       const MultigridSmoother                &smoother)
+                       const MultigridOptions                 &options)
     : matrix(std::move(new_matrix))
   {
     std::vector<double> all_modes;
     for (const std::vector<double> &mode : modes)
       all_modes.insert(all_modes.end(), mode.begin(), mode.end());
-    Teuchos::ParameterList list = multigrid_parameters(n_components, smoother);
+    Teuchos::ParameterList list = multigrid_parameters(n_components, options);
     list.set("null space: type", "pre-computed");
     list.set("null space: dimension", static_cast<int>(modes.size()));
     list.set("null space: vectors", all_modes.data());
