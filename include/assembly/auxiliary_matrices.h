@@ -4,23 +4,22 @@
 
 #include <assembly/assembler.h>
 
+#include <discretization/linear_displacements.h>
+
 namespace MixedCracks
 {
   /// What multigrid is built on. For quadratic displacements: the elastic
-  /// operator of linear elements on cells cut into 2^dim parts, whose nodes
-  /// are those of the quadratic ones (iso-Q1). It is spectrally equivalent,
-  /// has fewer entries, and smoothed aggregation suits it, which it does not
-  /// suit the quadratic one. For the pressure: its mass matrix weighted with
-  /// the local compliance, near to the Schur complement. In the numbering of
-  /// the elastic fields, with their constraints. Collective.
+  /// operator of linear ones on the same cells, which is theirs restricted to
+  /// a subspace; smoothed aggregation suits it, which it does not suit the
+  /// quadratic one. For the pressure: its mass matrix weighted with the local
+  /// compliance, near to the Schur complement. In the numbering of the
+  /// elastic fields. Collective.
   template <int dim>
   class AssembledAuxiliaries
   {
   public:
-    using Constraints = dealii::AffineConstraints<double>;
-
-    AssembledAuxiliaries(const Fields<dim> &fields,
-                         const Constraints &constraints);
+    AssembledAuxiliaries(const Fields<dim>      &fields,
+                         const Constraints<dim> &constraints);
 
     /// To be called when the mesh changed.
     void reinit();
@@ -41,6 +40,13 @@ namespace MixedCracks
       return displacement_matrix;
     }
 
+    /// Which unknowns that matrix has, and what they mean for the others.
+    const LinearDisplacements<dim> &
+    coarse() const
+    {
+      return linear_displacements;
+    }
+
     const LinearAlgebra::SparseMatrix &
     pressure() const
     {
@@ -50,19 +56,7 @@ namespace MixedCracks
   private:
     using Indices = std::vector<dealii::types::global_dof_index>;
 
-    void number_local_dofs();
-
-    void tabulate_shapes();
-
-    void make_patterns();
-
     void read_cells();
-
-    /// Average of the tangent over one part of a cell, MPa.
-    dealii::SymmetricTensor<4, dim>
-    average(unsigned int                             part,
-            const CellGeometry<dim>                 &geometry,
-            const std::vector<ElasticResponse<dim>> &responses) const;
 
     void add_displacements(unsigned int                             cell,
                            const CellGeometry<dim>                 &geometry,
@@ -72,25 +66,14 @@ namespace MixedCracks
                        const CellGeometry<dim>                 &geometry,
                        const std::vector<ElasticResponse<dim>> &responses);
 
-    static constexpr unsigned int n_corners =
-      dealii::GeometryInfo<dim>::vertices_per_cell;
-
-    const Fields<dim> &fields;
-    const Constraints &constraints;
-
-    /// of each part, the local dofs of its corners, component by component
-    std::vector<std::vector<unsigned int>> part_dofs;
-    std::vector<unsigned int>              pressure_dofs;
-    /// what of a quadrature point belongs to a part: [part][q]
-    std::vector<std::vector<double>> shares;
-    /// linear shape functions: [quadrature point of a part][corner], and
-    /// [quadrature point of a cell][corner]
-    std::vector<std::vector<dealii::Tensor<1, dim>>> part_gradients;
-    std::vector<std::vector<double>>                 pressure_values;
+    const Fields<dim>       &fields;
+    const Constraints<dim>  &constraints;
+    ScalarShapes<dim>        shapes; // linear
+    LinearDisplacements<dim> linear_displacements;
 
     /// of owned cells, in the order of CellTable
-    std::vector<std::array<dealii::Point<dim>, n_corners>> corners;
-    std::vector<Indices>                                   cell_dofs;
+    std::vector<Indices> vertex_dofs;
+    std::vector<Indices> pressure_dofs;
 
     LinearAlgebra::SparseMatrix displacement_matrix;
     LinearAlgebra::SparseMatrix pressure_matrix;

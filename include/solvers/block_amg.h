@@ -2,6 +2,7 @@
 #ifndef mixed_cracks_solvers_block_amg_h
 #define mixed_cracks_solvers_block_amg_h
 
+#include <solvers/chebyshev.h>
 #include <solvers/linear_solver.h>
 #include <solvers/multigrid.h>
 
@@ -12,9 +13,9 @@ namespace MixedCracks
   ///     ( A  B^T )        is preconditioned from    ( A~  B^T )
   ///     ( B  -C  )        the right by              ( 0   -S~ )
   ///
-  /// A~: one multigrid cycle of LinearSystem::auxiliary's displacement
-  /// matrix and then, where that is not A itself, a damped Jacobi sweep on A,
-  /// which takes what the two disagree about: modes within a cell. S~, near to
+  /// A~: one multigrid cycle. Where LinearSystem::auxiliary has a coarse
+  /// displacement matrix, of a subspace, a cycle on that and then a Chebyshev
+  /// smoother on A, which takes what the subspace lacks. S~, near to
   /// C + B A^-1 B^T: incomplete factors of its pressure matrix. B need not be
   /// the transpose of B^T. Without a pressure and with a symmetric matrix:
   /// conjugate gradients with the cycle alone.
@@ -61,11 +62,10 @@ namespace MixedCracks
     /// The weighted mass matrix and the coupling, and a scale for its rows.
     void set_up_pressure(const LinearAlgebra::SparseMatrix &mass);
 
-    /// Weights of the Jacobi sweep for the present values of the matrix.
-    void set_smoothing();
-
-    /// Of the displacement block scaled by its diagonal.
-    double largest_eigenvalue(const LinearAlgebra::Vector &inverse_diagonal);
+    /// Smoother and coarse level; of @p modes the entries of the coarse
+    /// unknowns are kept.
+    void set_up_two_levels(const AuxiliaryMatrices          &auxiliary,
+                           std::vector<std::vector<double>> &modes);
 
     /// Continue from @p solution until the residual is below
     /// @p relative_tolerance of the right hand side, both scaled.
@@ -79,22 +79,22 @@ namespace MixedCracks
     /// Iterations after which a hierarchy that is not new is given up.
     unsigned int patience(double relative_tolerance) const;
 
-    LinearSolverOptions         options;
-    LinearSystem                system;
-    bool                        has_pressure = false; // on any rank
-    std::vector<bool>           is_displacement;
-    std::unique_ptr<Multigrid>  multigrid;
-    std::unique_ptr<MassSolver> mass_solver;
+    LinearSolverOptions        options;
+    LinearSystem               system;
+    bool                       has_pressure = false; // on any rank
+    std::vector<bool>          is_displacement;
+    std::unique_ptr<Multigrid> multigrid;
+    /// from coarse displacements to all; empty where multigrid works on A
+    std::unique_ptr<Epetra_CrsMatrix>  interpolation;
+    std::unique_ptr<ChebyshevSmoother> smoother;
+    std::unique_ptr<MassSolver>        mass_solver;
     /// B^T at the time of the set-up; empty without a pressure
     std::unique_ptr<Epetra_CrsMatrix> coupling;
     LinearAlgebra::Vector             row_scale;
-    /// of the Jacobi sweep, by row; empty without one
-    LinearAlgebra::Vector smoothing;
-    double                smoothing_damping    = 0.;
-    double                matrix_diagonal      = 0.; // mean, of A
-    bool                  is_old               = false;
-    double                iterations_per_digit = 0.; // when new
-    unsigned int          n_hierarchies        = 0;
+    double                            matrix_diagonal      = 0.; // mean, of A
+    bool                              is_old               = false;
+    double                            iterations_per_digit = 0.; // when new
+    unsigned int                      n_hierarchies        = 0;
   };
 } // namespace MixedCracks
 

@@ -32,8 +32,12 @@ namespace MixedCracks
   /// other unknowns are empty.
   struct AuxiliaryMatrices
   {
-    /// nullptr: the matrix itself serves
+    /// of a subspace of the displacements; nullptr: the matrix itself serves
     const LinearAlgebra::SparseMatrix *displacement = nullptr;
+    /// from the unknowns of that subspace to all displacements
+    const LinearAlgebra::SparseMatrix *interpolation = nullptr;
+    /// one entry per owned row: whether it is an unknown of the subspace
+    const std::vector<bool> *is_coarse = nullptr;
     /// positive definite; nullptr where there is no pressure
     const LinearAlgebra::SparseMatrix *pressure = nullptr;
   };

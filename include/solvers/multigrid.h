@@ -25,20 +25,31 @@ namespace MixedCracks
                 const std::vector<bool> &rows,
                 const std::vector<bool> &columns);
 
-  /// @p result = @p matrix * @p source, owned entries only. Collective.
+  /// @p result = @p matrix * @p source, or with its transpose, owned entries
+  /// only. Collective.
   void multiply(const Epetra_CrsMatrix &matrix,
                 double                 *result,
-                const double           *source);
+                const double           *source,
+                bool                    transposed = false);
 
   /// How a hierarchy is made and used; as it stands for one unknown per node.
   struct MultigridOptions
   {
-    unsigned int n_components        = 1;
-    bool         w_cycle             = false;
-    int          smoother_degree     = 1;       ///< of Chebyshev's polynomials
-    double       weak_coupling       = 0.;      ///< entries over the diagonal
-    double       prolongator_damping = 4. / 3.; ///< of Jacobi's step
-    int          coarsest_size       = 500;
+    unsigned int n_components = 1;
+    bool         w_cycle      = false;
+    /// of the Chebyshev polynomials before and after each coarse step
+    int smoother_degree = 1;
+    /// of the largest eigenvalue to the least one that is smoothed
+    double smoothed_range = 20.;
+    /// Entries below this, relative to the diagonal, do not join aggregates;
+    /// on each coarser level half of it. Without it the aggregates of coarser
+    /// levels of elasticity are poor where cells differ in size.
+    double weak_coupling = 0.;
+    /// of the Jacobi step that smooths prolongators, over the largest
+    /// eigenvalue
+    double prolongator_damping = 4. / 3.;
+    /// unknowns a direct solver is left with
+    int coarsest_size = 500;
 
     /// Elasticity, with what doc/solvers.md found best.
     static MultigridOptions elastic(unsigned int n_components);

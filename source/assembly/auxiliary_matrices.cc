@@ -1,38 +1,9 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include <assembly/auxiliary_matrices.h>
 
-#include <deal.II/base/quadrature_lib.h>
-
-#include <deal.II/dofs/dof_tools.h>
-
-#include <deal.II/fe/fe_tools.h>
-
 namespace MixedCracks
 {
   using namespace dealii;
-
-  namespace
-  {
-    // of the corner number c of a cell: its position along axis d, 0 or 1
-    unsigned int
-    bit(const unsigned int c, const unsigned int d)
-    {
-      return (c >> d) & 1;
-    }
-
-
-
-    // how much of a quadrature point belongs to the half 0 or 1 of [0, 1]
-    double
-    share(const double x, const unsigned int half)
-    {
-      if (std::abs(x - 0.5) < 1e-10)
-        return 0.5;
-      return (x > 0.5) == (half == 1) ? 1. : 0.;
-    }
-  } // namespace
-
-
 
   template <int dim>
   double
@@ -49,10 +20,11 @@ namespace MixedCracks
 
   template <int dim>
   AssembledAuxiliaries<dim>::AssembledAuxiliaries(
-    const Fields<dim> &fields,
-    const Constraints &constraints)
+    const Fields<dim>      &fields,
+    const Constraints<dim> &constraints)
     : fields(fields)
     , constraints(constraints)
+    , shapes(FE_Q<dim>(1), fields.quadrature)
   {}
 
 
@@ -61,65 +33,26 @@ namespace MixedCracks
   void
   AssembledAuxiliaries<dim>::reinit()
   {
-    number_local_dofs();
-    tabulate_shapes();
+    const DofSets &dofs      = fields.elastic_dofs;
+    const auto     make_zero = [&](const std::vector<Indices>      &cells,
+                               const AffineConstraints<double> &among,
+                               LinearAlgebra::SparseMatrix     &matrix) {
+      LinearAlgebra::SparsityPattern pattern(
+        dofs.owned, dofs.owned, dofs.relevant, fields.communicator());
+      for (const Indices &indices : cells)
+        among.add_entries_local_to_global(indices, pattern, false);
+      pattern.compress();
+      matrix.reinit(pattern);
+    };
+    if (has_displacement())
+      linear_displacements.reinit(fields, constraints);
     read_cells();
-    make_patterns();
-  }
-
-
-
-  template <int dim>
-  void
-  AssembledAuxiliaries<dim>::number_local_dofs()
-  {
-    const FiniteElement<dim> &element = fields.elastic.get_fe();
-    pressure_dofs.clear();
+    if (has_displacement())
+      make_zero(
+        vertex_dofs, linear_displacements.constraints(), displacement_matrix);
     if (fields.layout.mixed)
-      for (unsigned int c = 0; c < n_corners; ++c)
-        pressure_dofs.push_back(element.component_to_system_index(dim, c));
-    part_dofs.assign(has_displacement() ? n_corners : 0, {});
-    if (!has_displacement())
-      return;
-    const std::vector<unsigned int> lexicographic =
-      FETools::lexicographic_to_hierarchic_numbering<dim>(2);
-    for (unsigned int part = 0; part < n_corners; ++part)
-      for (unsigned int c = 0; c < n_corners; ++c)
-      {
-        // nodes 0, 1, 2 along each axis
-        unsigned int node = 0;
-        for (int d = dim - 1; d >= 0; --d)
-          node = 3 * node + bit(part, d) + bit(c, d);
-        for (unsigned int e = 0; e < dim; ++e)
-          part_dofs[part].push_back(
-            element.component_to_system_index(e, lexicographic[node]));
-      }
-  }
-
-
-
-  template <int dim>
-  void
-  AssembledAuxiliaries<dim>::tabulate_shapes()
-  {
-    const QGauss<dim> part_quadrature(2);
-    part_gradients.assign(part_quadrature.size(), {});
-    for (unsigned int q = 0; q < part_quadrature.size(); ++q)
-      for (unsigned int c = 0; c < n_corners; ++c)
-        part_gradients[q].push_back(
-          GeometryInfo<dim>::d_linear_shape_function_gradient(
-            part_quadrature.point(q), c));
-    const Quadrature<dim> &quadrature = fields.quadrature;
-    pressure_values.assign(quadrature.size(), {});
-    shares.assign(n_corners, std::vector<double>(quadrature.size(), 1.));
-    for (unsigned int q = 0; q < quadrature.size(); ++q)
-      for (unsigned int c = 0; c < n_corners; ++c)
-      {
-        pressure_values[q].push_back(
-          GeometryInfo<dim>::d_linear_shape_function(quadrature.point(q), c));
-        for (unsigned int d = 0; d < dim; ++d)
-          shares[c][q] *= share(quadrature.point(q)[d], bit(c, d));
-      }
+      make_zero(
+        pressure_dofs, constraints.elastic_corrections(), pressure_matrix);
   }
 
 
@@ -128,68 +61,26 @@ namespace MixedCracks
   void
   AssembledAuxiliaries<dim>::read_cells()
   {
-    corners.clear();
-    cell_dofs.clear();
-    Indices dofs(fields.elastic.get_fe().n_dofs_per_cell());
+    const FiniteElement<dim> &element = fields.elastic.get_fe();
+    vertex_dofs.clear();
+    pressure_dofs.clear();
+    Indices all(element.n_dofs_per_cell());
     for (const auto &cell : fields.elastic.active_cell_iterators())
       if (cell->is_locally_owned())
       {
-        corners.emplace_back();
-        for (unsigned int c = 0; c < n_corners; ++c)
-          corners.back()[c] = cell->vertex(c);
-        cell->get_dof_indices(dofs);
-        cell_dofs.push_back(dofs);
-      }
-  }
-
-
-
-  namespace
-  {
-    void
-    choose(const std::vector<types::global_dof_index> &all,
-           const std::vector<unsigned int>            &which,
-           std::vector<types::global_dof_index>       &chosen)
-    {
-      chosen.clear();
-      for (const unsigned int i : which)
-        chosen.push_back(all[i]);
-    }
-  } // namespace
-
-
-
-  template <int dim>
-  void
-  AssembledAuxiliaries<dim>::make_patterns()
-  {
-    const DofSets &dofs = fields.elastic_dofs;
-    Indices        indices;
-    if (has_displacement())
-    {
-      LinearAlgebra::SparsityPattern pattern(
-        dofs.owned, dofs.owned, dofs.relevant, fields.communicator());
-      for (const Indices &all : cell_dofs)
-        for (const auto &part : part_dofs)
+        if (has_displacement())
         {
-          choose(all, part, indices);
-          constraints.add_entries_local_to_global(indices, pattern, false);
+          vertex_dofs.emplace_back();
+          linear_displacements.get_dofs(cell, vertex_dofs.back());
         }
-      pattern.compress();
-      displacement_matrix.reinit(pattern);
-    }
-    if (fields.layout.mixed)
-    {
-      LinearAlgebra::SparsityPattern pattern(
-        dofs.owned, dofs.owned, dofs.relevant, fields.communicator());
-      for (const Indices &all : cell_dofs)
-      {
-        choose(all, pressure_dofs, indices);
-        constraints.add_entries_local_to_global(indices, pattern, false);
+        if (!fields.layout.mixed)
+          continue;
+        cell->get_dof_indices(all);
+        pressure_dofs.emplace_back();
+        for (unsigned int c = 0; c < shapes.size(); ++c)
+          pressure_dofs.back().push_back(
+            all[element.component_to_system_index(dim, c)]);
       }
-      pattern.compress();
-      pressure_matrix.reinit(pattern);
-    }
   }
 
 
@@ -221,78 +112,7 @@ namespace MixedCracks
 
 
 
-  template <int dim>
-  SymmetricTensor<4, dim>
-  AssembledAuxiliaries<dim>::average(
-    const unsigned int                       part,
-    const CellGeometry<dim>                 &geometry,
-    const std::vector<ElasticResponse<dim>> &responses) const
-  {
-    SymmetricTensor<4, dim> sum;
-    double                  weights = 0.;
-    for (unsigned int q = 0; q < responses.size(); ++q)
-    {
-      const double weight = shares[part][q] * geometry.weights[q];
-      if (weight == 0.)
-        continue;
-      sum += weight * responses[q].stress_by_strain;
-      weights += weight;
-    }
-    return sum / weights;
-  }
-
-
-
-  namespace
-  {
-    // corners of one part, halfway between those of the cell
-    template <int dim, std::size_t n>
-    std::array<Point<dim>, n>
-    corners_of_part(const std::array<Point<dim>, n> &cell,
-                    const unsigned int               part)
-    {
-      std::array<Point<dim>, n> result;
-      for (unsigned int c = 0; c < n; ++c)
-      {
-        Point<dim> reference;
-        for (unsigned int d = 0; d < dim; ++d)
-          reference[d] = 0.5 * (bit(part, d) + bit(c, d));
-        for (unsigned int v = 0; v < n; ++v)
-          result[c] +=
-            GeometryInfo<dim>::d_linear_shape_function(reference, v) * cell[v];
-      }
-      return result;
-    }
-
-
-
-    // Stiffness of one part at one quadrature point, added to @p matrix. The
-    // rows are numbered component by component for each corner.
-    template <int dim>
-    void
-    add_stiffness(const std::vector<Tensor<1, dim>> &gradients,
-                  const SymmetricTensor<4, dim>     &weighted_tangent,
-                  FullMatrix<double>                &matrix)
-    {
-      for (unsigned int b = 0; b < gradients.size(); ++b)
-        for (unsigned int e = 0; e < dim; ++e)
-        {
-          SymmetricTensor<2, dim> strain;
-          for (unsigned int d = 0; d < dim; ++d)
-            strain[e][d] = (d == e ? 1. : 0.5) * gradients[b][d];
-          const Tensor<2, dim> stress(weighted_tangent * strain);
-          for (unsigned int a = 0; a < gradients.size(); ++a)
-          {
-            const Tensor<1, dim> force = stress * gradients[a];
-            for (unsigned int d = 0; d < dim; ++d)
-              matrix(dim * a + d, dim * b + e) += force[d];
-          }
-        }
-    }
-  } // namespace
-
-
-
+  // the rows are numbered component by component for each vertex
   template <int dim>
   void
   AssembledAuxiliaries<dim>::add_displacements(
@@ -300,31 +120,29 @@ namespace MixedCracks
     const CellGeometry<dim>                 &geometry,
     const std::vector<ElasticResponse<dim>> &responses)
   {
-    FullMatrix<double>          local(dim * n_corners, dim * n_corners);
-    std::vector<Tensor<1, dim>> gradients(n_corners);
-    Indices                     indices;
-    const double                reference_weight = 1. / part_gradients.size();
-    for (unsigned int part = 0; part < n_corners; ++part)
+    FullMatrix<double> local(dim * shapes.size(), dim * shapes.size());
+    shapes.reinit(geometry);
+    for (unsigned int q = 0; q < responses.size(); ++q)
     {
       const SymmetricTensor<4, dim> tangent =
-        average(part, geometry, responses);
-      const auto points = corners_of_part<dim>(corners[cell], part);
-      local             = 0.;
-      for (const auto &reference : part_gradients)
-      {
-        Tensor<2, dim> jacobian;
-        for (unsigned int c = 0; c < n_corners; ++c)
-          jacobian += outer_product(points[c], reference[c]);
-        const Tensor<2, dim> to_real = transpose(invert(jacobian));
-        for (unsigned int c = 0; c < n_corners; ++c)
-          gradients[c] = to_real * reference[c];
-        add_stiffness(
-          gradients, reference_weight * determinant(jacobian) * tangent, local);
-      }
-      choose(cell_dofs[cell], part_dofs[part], indices);
-      constraints.distribute_local_to_global(
-        local, indices, displacement_matrix);
+        geometry.weights[q] * responses[q].stress_by_strain;
+      for (unsigned int b = 0; b < shapes.size(); ++b)
+        for (unsigned int e = 0; e < dim; ++e)
+        {
+          SymmetricTensor<2, dim> strain;
+          for (unsigned int d = 0; d < dim; ++d)
+            strain[e][d] = (d == e ? 1. : 0.5) * shapes.gradient(b, q)[d];
+          const Tensor<2, dim> stress(tangent * strain);
+          for (unsigned int a = 0; a < shapes.size(); ++a)
+          {
+            const Tensor<1, dim> force = stress * shapes.gradient(a, q);
+            for (unsigned int d = 0; d < dim; ++d)
+              local(dim * a + d, dim * b + e) += force[d];
+          }
+        }
     }
+    linear_displacements.constraints().distribute_local_to_global(
+      local, vertex_dofs[cell], displacement_matrix);
   }
 
 
@@ -336,7 +154,7 @@ namespace MixedCracks
     const CellGeometry<dim>                 &geometry,
     const std::vector<ElasticResponse<dim>> &responses)
   {
-    FullMatrix<double> local(n_corners, n_corners);
+    FullMatrix<double> local(shapes.size(), shapes.size());
     for (unsigned int q = 0; q < responses.size(); ++q)
     {
       const ElasticResponse<dim> &response = responses[q];
@@ -345,13 +163,12 @@ namespace MixedCracks
         (std::abs(response.constraint_by_pressure) +
          std::abs(response.stress_by_pressure * response.constraint_by_trace) /
            longitudinal_stiffness(response.stress_by_strain));
-      for (unsigned int a = 0; a < n_corners; ++a)
-        for (unsigned int b = 0; b < n_corners; ++b)
-          local(a, b) += weight * pressure_values[q][a] * pressure_values[q][b];
+      for (unsigned int a = 0; a < shapes.size(); ++a)
+        for (unsigned int b = 0; b < shapes.size(); ++b)
+          local(a, b) += weight * shapes.value(a, q) * shapes.value(b, q);
     }
-    Indices indices;
-    choose(cell_dofs[cell], pressure_dofs, indices);
-    constraints.distribute_local_to_global(local, indices, pressure_matrix);
+    constraints.elastic_corrections().distribute_local_to_global(
+      local, pressure_dofs[cell], pressure_matrix);
   }
 
 

@@ -41,7 +41,7 @@ namespace MixedCracks
     , timer(timer)
     , solver_name(solver_parameters.name)
     , solver_options(solver_parameters.linear)
-    , auxiliaries(fields, constraints.elastic_corrections())
+    , auxiliaries(fields, constraints)
   {}
 
 
@@ -106,9 +106,16 @@ namespace MixedCracks
     system.rigid_body_modes = [this]() { return rigid_body_modes(fields); };
     system.auxiliary        = [this]() {
       auxiliaries.assemble(assembler);
-      return AuxiliaryMatrices{
-        auxiliaries.has_displacement() ? &auxiliaries.displacement() : nullptr,
-        fields.layout.mixed ? &auxiliaries.pressure() : nullptr};
+      AuxiliaryMatrices result;
+      if (auxiliaries.has_displacement())
+      {
+        result.displacement  = &auxiliaries.displacement();
+        result.interpolation = &auxiliaries.coarse().interpolation();
+        result.is_coarse     = &auxiliaries.coarse().at_vertices();
+      }
+      if (fields.layout.mixed)
+        result.pressure = &auxiliaries.pressure();
+      return result;
     };
     // in the middle of a solution, see solve_for_correction()
     system.as_set_up = [this](const std::function<void()> &work) {

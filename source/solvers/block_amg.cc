@@ -53,7 +53,6 @@ namespace MixedCracks
   public:
     explicit Preconditioner(const BlockAmgSolver &solver)
       : solver(solver)
-      , rest(solver.row_scale)
     {}
 
     void
@@ -72,15 +71,26 @@ namespace MixedCracks
         for (std::size_t k = 0; k < forces.size(); ++k)
           forces[k] -= displacements[k];
       }
-      solver.multigrid->vmult(displacements.data(), forces.data());
-      put_together(source, result);
-      if (solver.smoothing.size() > 0)
+      if (solver.interpolation)
       {
-        solver.system.matrix->vmult(rest, result);
-        rest.sadd(-1., 1., source);
-        rest.scale(solver.smoothing);
-        result.add(1., rest);
+        coarse_forces.resize(solver.interpolation->DomainMap().NumMyElements());
+        coarse_displacements.resize(coarse_forces.size());
+        multiply(*solver.interpolation,
+                 coarse_forces.data(),
+                 forces.data(),
+                 /*transposed=*/true);
+        solver.multigrid->vmult(coarse_displacements.data(),
+                                coarse_forces.data());
+        multiply(*solver.interpolation,
+                 displacements.data(),
+                 coarse_displacements.data());
       }
+      else
+        solver.multigrid->vmult(displacements.data(), forces.data());
+      put_together(source, result);
+      // rows of displacements are not scaled
+      if (solver.smoother)
+        solver.smoother->smooth(result, source);
     }
 
   private:
@@ -116,8 +126,8 @@ namespace MixedCracks
     }
 
     const BlockAmgSolver       &solver;
-    mutable Vector              rest;
     mutable std::vector<double> forces, fluxes, displacements, pressures;
+    mutable std::vector<double> coarse_forces, coarse_displacements;
   };
 
 
@@ -137,7 +147,6 @@ namespace MixedCracks
   {
     system = new_system;
     drop_hierarchy();
-    smoothing.clear();
     GrowingVectorMemory<Vector>::release_unused_memory();
     is_displacement = system.is_pressure;
     is_displacement.flip();
@@ -157,8 +166,8 @@ namespace MixedCracks
   BlockAmgSolver::factorize()
   {
     is_old = true;
-    if (smoothing.size() > 0)
-      set_smoothing();
+    if (smoother)
+      smoother->reinit();
     return {};
   }
 
@@ -258,8 +267,8 @@ namespace MixedCracks
   bool
   BlockAmgSolver::uses_conjugate_gradients() const
   {
-    // the sweep after the cycle, and none before it, is not symmetric
-    return !has_pressure && smoothing.size() == 0 &&
+    // a smoother after the coarse level, and none before it, is not symmetric
+    return !has_pressure && !smoother &&
            system.symmetry == MatrixSymmetry::symmetric;
   }
 

@@ -14,10 +14,17 @@ namespace MixedCracks
 
   namespace
   {
-    // of the Jacobi sweep, over the largest eigenvalue: 2 would be unstable,
-    // and few iterations find an eigenvalue that is a little too small
-    constexpr double       jacobi_damping     = 1.4;
-    constexpr unsigned int n_power_iterations = 10;
+    // A coarse level is small, and must not be what limits the iterations:
+    // sharper than where multigrid works on all unknowns.
+    MultigridOptions
+    on_the_coarse_level(const unsigned int n_components)
+    {
+      MultigridOptions options = MultigridOptions::elastic(n_components);
+      options.smoother_degree  = 4;
+      options.smoothed_range   = 10.;
+      options.weak_coupling    = 0.02;
+      return options;
+    }
 
 
 
@@ -45,48 +52,12 @@ namespace MixedCracks
 
 
 
-  double
-  BlockAmgSolver::largest_eigenvalue(const Vector &inverse_diagonal)
-  {
-    // power iteration, from a start without symmetry
-    Vector direction(inverse_diagonal), image(inverse_diagonal);
-    for (std::size_t i = 0; i < is_displacement.size(); ++i)
-      direction.begin()[i] =
-        is_displacement[i] && !system.is_constrained[i] ? std::sin(1. + i) : 0.;
-    double eigenvalue = 1.;
-    for (unsigned int k = 0; k < n_power_iterations; ++k)
-    {
-      direction /= direction.l2_norm();
-      system.matrix->vmult(image, direction);
-      image.scale(inverse_diagonal);
-      eigenvalue = image.l2_norm();
-      direction  = image;
-    }
-    return eigenvalue;
-  }
-
-
-
-  void
-  BlockAmgSolver::set_smoothing()
-  {
-    smoothing.reinit(row_scale, true);
-    Epetra_Vector diagonal(system.matrix->trilinos_matrix().RowMap());
-    system.matrix->trilinos_matrix().ExtractDiagonalCopy(diagonal);
-    for (std::size_t i = 0; i < is_displacement.size(); ++i)
-      smoothing.begin()[i] =
-        is_displacement[i] && !system.is_constrained[i] ? 1. / diagonal[i] : 0.;
-    if (smoothing_damping == 0.)
-      smoothing_damping = jacobi_damping / largest_eigenvalue(smoothing);
-    smoothing *= smoothing_damping;
-  }
-
-
-
   void
   BlockAmgSolver::drop_hierarchy()
   {
     multigrid.reset();
+    interpolation.reset();
+    smoother.reset();
     mass_solver.reset();
     coupling.reset();
   }
@@ -115,23 +86,51 @@ namespace MixedCracks
 
 
   void
+  BlockAmgSolver::set_up_two_levels(const AuxiliaryMatrices          &auxiliary,
+                                    std::vector<std::vector<double>> &modes)
+  {
+    const std::vector<bool> &coarse = *auxiliary.is_coarse;
+    std::vector<bool>        chosen = is_displacement;
+    for (std::size_t i = 0; i < chosen.size(); ++i)
+      if (system.is_constrained[i])
+        chosen[i] = false;
+    smoother      = std::make_unique<ChebyshevSmoother>(*system.matrix, chosen);
+    interpolation = extract_block(
+      auxiliary.interpolation->trilinos_matrix(), is_displacement, coarse);
+    for (std::vector<double> &mode : modes)
+    {
+      std::size_t next = 0, next_coarse = 0;
+      for (std::size_t i = 0; i < coarse.size(); ++i)
+        if (is_displacement[i])
+        {
+          if (coarse[i])
+            mode[next_coarse++] = mode[next];
+          ++next;
+        }
+      mode.resize(next_coarse);
+    }
+    multigrid = std::make_unique<Multigrid>(
+      extract_block(auxiliary.displacement->trilinos_matrix(), coarse, coarse),
+      on_the_coarse_level(system.n_components),
+      modes);
+  }
+
+
+
+  void
   BlockAmgSolver::set_up()
   {
     drop_hierarchy();
-    const AuxiliaryMatrices auxiliary = system.auxiliary();
-    const Epetra_CrsMatrix &elastic =
-      (auxiliary.displacement != nullptr ? auxiliary.displacement
-                                         : system.matrix)
-        ->trilinos_matrix();
-    multigrid = std::make_unique<Multigrid>(
-      extract_block(elastic, is_displacement, is_displacement),
-      MultigridOptions::elastic(system.n_components),
-      system.rigid_body_modes());
-    if (auxiliary.displacement != nullptr)
-    {
-      smoothing_damping = 0.;
-      set_smoothing();
-    }
+    const AuxiliaryMatrices          auxiliary = system.auxiliary();
+    std::vector<std::vector<double>> modes     = system.rigid_body_modes();
+    if (auxiliary.displacement == nullptr)
+      multigrid = std::make_unique<Multigrid>(
+        extract_block(
+          system.matrix->trilinos_matrix(), is_displacement, is_displacement),
+        MultigridOptions::elastic(system.n_components),
+        modes);
+    else
+      set_up_two_levels(auxiliary, modes);
     matrix_diagonal = mean_diagonal(system.matrix->trilinos_matrix(),
                                     is_displacement,
                                     false,

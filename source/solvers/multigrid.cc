@@ -31,6 +31,7 @@ namespace MixedCracks
       list.set("aggregation: damping factor", options.prolongator_damping);
       list.set("smoother: type", "Chebyshev");
       list.set("smoother: sweeps", options.smoother_degree);
+      list.set("smoother: Chebyshev alpha", options.smoothed_range);
       list.set("smoother: pre or post", "both");
       list.set("coarse: type", "Amesos-KLU");
       list.set("coarse: max size", options.coarsest_size);
@@ -63,11 +64,9 @@ namespace MixedCracks
     options.n_components    = n_components;
     options.w_cycle         = true;
     options.smoother_degree = 2;
-    // On each coarser level half of it. Without it the aggregates of coarser
-    // levels are poor where cells differ in size, and iterations grow.
-    options.weak_coupling = 0.003;
-    // over the largest eigenvalue; the usual 4/3 needs one iteration more, up
-    // to three in the displacement formulation
+    options.weak_coupling   = 0.003;
+    // the usual 4/3 needs one iteration more, up to three in the displacement
+    // formulation
     options.prolongator_damping = 1.5;
     options.coarsest_size       = 1500;
     return options;
@@ -171,12 +170,17 @@ namespace MixedCracks
 
 
   void
-  multiply(const Epetra_CrsMatrix &matrix, double *result, const double *source)
+  multiply(const Epetra_CrsMatrix &matrix,
+           double                 *result,
+           const double           *source,
+           const bool              transposed)
   {
-    const Epetra_Vector in(
-      View, matrix.DomainMap(), const_cast<double *>(source));
-    Epetra_Vector out(View, matrix.RangeMap(), result);
-    const int     error = matrix.Multiply(false, in, out);
+    const Epetra_Map &from =
+      transposed ? matrix.RangeMap() : matrix.DomainMap();
+    const Epetra_Map &to = transposed ? matrix.DomainMap() : matrix.RangeMap();
+    const Epetra_Vector in(View, from, const_cast<double *>(source));
+    Epetra_Vector       out(View, to, result);
+    const int           error = matrix.Multiply(transposed, in, out);
     AssertThrow(error == 0, ExcMessage("a product with a matrix failed"));
   }
 

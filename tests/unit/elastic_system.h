@@ -69,7 +69,7 @@ namespace MixedCracks
                                        options.density,
                                        options.split,
                                        options.law})
-        , auxiliaries(fields, constraints.elastic_corrections())
+        , auxiliaries(fields, constraints)
       {
         make_mesh();
         fields.distribute();
@@ -121,10 +121,16 @@ namespace MixedCracks
         result.rigid_body_modes = [this]() { return rigid_body_modes(fields); };
         result.auxiliary        = [this]() {
           assemble_auxiliaries();
-          return AuxiliaryMatrices{
-            auxiliaries.has_displacement() ? &auxiliaries.displacement()
-                                                  : nullptr,
-            options.mixed ? &auxiliaries.pressure() : nullptr};
+          AuxiliaryMatrices result;
+          if (auxiliaries.has_displacement())
+          {
+            result.displacement  = &auxiliaries.displacement();
+            result.interpolation = &auxiliaries.coarse().interpolation();
+            result.is_coarse     = &auxiliaries.coarse().at_vertices();
+          }
+          if (options.mixed)
+            result.pressure = &auxiliaries.pressure();
+          return result;
         };
         return result;
       }

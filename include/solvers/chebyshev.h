@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#ifndef mixed_cracks_solvers_chebyshev_h
+#define mixed_cracks_solvers_chebyshev_h
+
+#include <core/linear_algebra.h>
+
+#include <vector>
+
+namespace MixedCracks
+{
+  /// Smoother for some of the unknowns of a matrix: a Chebyshev polynomial of
+  /// degree 2 in the matrix scaled by its diagonal, least on the upper part
+  /// of the spectrum, see e.g. Adams et al., J. Comput. Phys. 188 (2003). The
+  /// block of these unknowns must be nearly symmetric.
+  class ChebyshevSmoother
+  {
+  public:
+    /// @p chosen: one entry per owned row, which unknowns are smoothed.
+    /// @p matrix must outlive this. Collective.
+    ChebyshevSmoother(const LinearAlgebra::SparseMatrix &matrix,
+                      const std::vector<bool>           &chosen);
+
+    /// Take new values of the matrix, with the old bounds of the spectrum.
+    void reinit();
+
+    /// Improve the chosen unknowns of @p solution. Collective.
+    void smooth(LinearAlgebra::Vector       &solution,
+                const LinearAlgebra::Vector &right_hand_side) const;
+
+  private:
+    double largest_eigenvalue() const;
+
+    const LinearAlgebra::SparseMatrix &matrix;
+    const std::vector<bool>            chosen;
+    LinearAlgebra::Vector              inverse_diagonal; // 0 elsewhere
+    double                             largest = 0.; // scaled by the diagonal
+    mutable LinearAlgebra::Vector      residual, step, image;
+  };
+} // namespace MixedCracks
+
+#endif

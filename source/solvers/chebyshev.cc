@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include <Epetra_Vector.h>
+#include <solvers/chebyshev.h>
+
+#include <cmath>
+
+namespace MixedCracks
+{
+  using Vector = LinearAlgebra::Vector;
+
+  namespace
+  {
+    constexpr unsigned int degree             = 2;
+    constexpr unsigned int n_power_iterations = 10;
+    // few iterations find an eigenvalue that is a little too small
+    constexpr double safety = 1.1;
+    // of the largest eigenvalue to the least one that is smoothed; what is
+    // below is left to the coarse level
+    constexpr double smoothed_range = 6.;
+  } // namespace
+
+
+
+  ChebyshevSmoother::ChebyshevSmoother(
+    const LinearAlgebra::SparseMatrix &matrix,
+    const std::vector<bool>           &chosen)
+    : matrix(matrix)
+    , chosen(chosen)
+    , inverse_diagonal(matrix.locally_owned_range_indices(),
+                       matrix.get_mpi_communicator())
+    , residual(inverse_diagonal)
+    , step(inverse_diagonal)
+    , image(inverse_diagonal)
+  {
+    reinit();
+    largest = largest_eigenvalue();
+  }
+
+
+
+  void
+  ChebyshevSmoother::reinit()
+  {
+    Epetra_Vector diagonal(matrix.trilinos_matrix().RowMap());
+    matrix.trilinos_matrix().ExtractDiagonalCopy(diagonal);
+    for (std::size_t i = 0; i < chosen.size(); ++i)
+      inverse_diagonal.begin()[i] = chosen[i] ? 1. / diagonal[i] : 0.;
+  }
+
+
+
+  double
+  ChebyshevSmoother::largest_eigenvalue() const
+  {
+    // power iteration, from a start without symmetry
+    for (std::size_t i = 0; i < chosen.size(); ++i)
+      step.begin()[i] = chosen[i] ? std::sin(1. + i) : 0.;
+    double eigenvalue = 1.;
+    for (unsigned int k = 0; k < n_power_iterations; ++k)
+    {
+      step /= step.l2_norm();
+      matrix.vmult(residual, step);
+      residual.scale(inverse_diagonal);
+      eigenvalue = residual.l2_norm();
+      step       = residual;
+    }
+    return eigenvalue;
+  }
+
+
+
+  void
+  ChebyshevSmoother::smooth(Vector       &solution,
+                            const Vector &right_hand_side) const
+  {
+    const double upper = safety * largest, lower = largest / smoothed_range;
+    const double middle = 0.5 * (upper + lower), half = 0.5 * (upper - lower);
+    const double ratio = middle / half;
+    matrix.vmult(residual, solution);
+    residual.sadd(-1., 1., right_hand_side);
+    residual.scale(inverse_diagonal);
+    step = residual;
+    step *= 1. / middle;
+    solution.add(1., step);
+    double rho = 1. / ratio;
+    for (unsigned int k = 1; k < degree; ++k)
+    {
+      // the residual is kept scaled by the diagonal
+      matrix.vmult(image, step);
+      image.scale(inverse_diagonal);
+      residual.add(-1., image);
+      const double next = 1. / (2. * ratio - rho);
+      step.sadd(next * rho, 2. * next / half, residual);
+      solution.add(1., step);
+      rho = next;
+    }
+  }
+} // namespace MixedCracks
