@@ -10,8 +10,8 @@ namespace MixedCracks
     // Unknowns of the matrix from which on an iterative solution is chosen. In
     // 3-d between two measurements, in 2-d extrapolated from them:
     // doc/solvers.md.
-    constexpr dealii::types::global_dof_index crossover_2d = 2000000;
-    constexpr dealii::types::global_dof_index crossover_3d = 30000;
+    constexpr dealii::types::global_dof_index crossover_2d = 1000000;
+    constexpr dealii::types::global_dof_index crossover_3d = 12000;
   } // namespace
 
 

@@ -161,7 +161,8 @@ namespace
           system.constraints.elastic_corrections(), system.matrix);
         system.constraints.drop_prescribed(forces);
         forces *= -1.;
-        const auto solver = all_linear_solvers().make("direct", {});
+        const auto solver =
+          all_linear_solvers().make(dim == 2 ? "direct" : "block AMG", {});
         Vector     correction(forces);
         if (!solver->initialize(system.system()).success ||
             !solver->factorize().success ||
