@@ -163,7 +163,7 @@ namespace
         forces *= -1.;
         const auto solver =
           all_linear_solvers().make(dim == 2 ? "direct" : "block AMG", {});
-        Vector     correction(forces);
+        Vector correction(forces);
         if (!solver->initialize(system.system()).success ||
             !solver->factorize().success ||
             !solver->solve(correction, forces, 1e-10).success)
