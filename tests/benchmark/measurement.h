@@ -71,6 +71,26 @@ namespace MixedCracks
 
 
 
+    // main() of a benchmark: an error ends it on all ranks
+    inline int
+    run_benchmark(int argc, char **argv, const std::function<void()> &body)
+    {
+      dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
+      try
+      {
+        body();
+        return 0;
+      }
+      catch (const std::exception &error)
+      {
+        std::cerr << error.what() << std::endl;
+        MPI_Abort(MPI_COMM_WORLD, 1);
+        return 1;
+      }
+    }
+
+
+
     struct Measurement
     {
       std::string  solver;

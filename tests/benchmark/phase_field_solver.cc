@@ -244,20 +244,11 @@ namespace
 int
 main(int argc, char **argv)
 {
-  dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
-  try
-  {
+  return run_benchmark(argc, argv, [&]() {
     const Arguments arguments = read(argc, argv);
     if (arguments.dim == 2)
       run<2>(arguments);
     else
       run<3>(arguments);
-    return 0;
-  }
-  catch (const std::exception &error)
-  {
-    std::cerr << error.what() << std::endl;
-    MPI_Abort(MPI_COMM_WORLD, 1);
-    return 1;
-  }
+  });
 }
