@@ -51,21 +51,14 @@ namespace MixedCracks
     /// already. For hierarchies that proved not to be positive definite.
     bool give_up_multigrid();
 
-    unsigned int
-    n_setups() const
-    {
-      return n_hierarchies;
-    }
-
   private:
     void make_hierarchy(const BoundedProblem &problem);
 
     double                      patience;
-    bool                        is_given_up   = false;
-    bool                        is_wanted     = false;
-    bool                        is_new        = false;
-    double                      when_new      = 0.; // iterations per digit
-    unsigned int                n_hierarchies = 0;
+    bool                        is_given_up = false;
+    bool                        is_wanted   = false;
+    bool                        is_new      = false;
+    double                      when_new    = 0.; // iterations per digit
     std::unique_ptr<Multigrid>  multigrid;
     std::vector<bool>           is_free;  // now
     std::vector<bool>           is_known; // to the hierarchy

@@ -104,7 +104,6 @@ namespace MixedCracks
       std::move(block), MultigridOptions(), constants);
     is_wanted = false;
     is_new    = true;
-    ++n_hierarchies;
   }
 
 
