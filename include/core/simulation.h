@@ -18,6 +18,7 @@
 #include <output/field_output.h>
 #include <output/point_displacements.h>
 #include <output/quantities.h>
+#include <output/run_end.h>
 #include <output/statistics.h>
 #include <output/summary.h>
 
@@ -78,16 +79,8 @@ namespace MixedCracks
 
     State initial_state();
 
-    enum class Progress
-    {
-      accepted,
-      failed,     ///< at the smallest step
-      onset,      ///< a crack begins to run, and that was the question
-      interrupted ///< the user or the clock asked to stop
-    };
-
-    /// Try steps until one is accepted, or there is no way on.
-    Progress advance(State &accepted);
+    /// Try steps until one is accepted, or there is no way on: then why.
+    RunEnd advance(State &accepted);
 
     State resumed_state();
 
@@ -109,7 +102,7 @@ namespace MixedCracks
 
     void write_fields_when_due(const State &state);
 
-    RunOutcome finish(const State &last, Progress progress);
+    RunOutcome finish(const State &last);
 
     Summary summarize(const RunOutcome &outcome);
 
@@ -169,9 +162,8 @@ namespace MixedCracks
     Checkpoint<dim>          checkpoint;
     std::optional<RunRecord> resumed;
     State                    peak_state;
-    unsigned int             peak_step = 0;
-    bool                     separated = false;
-    std::string              why_separated;
+    unsigned int             peak_step          = 0;
+    RunEnd                   run_end            = RunEnd::none;
     unsigned int             n_refinements      = 0; // of the mesh, in all
     unsigned int             n_imbalanced_steps = 0;
     std::string              case_in_words;

@@ -68,7 +68,7 @@ namespace MixedCracks
 
     /// Watch the force: true when it has fallen below the fraction of its
     /// peak at which the run is to stop.
-    bool is_separated(double force);
+    bool has_fallen(double force);
 
     double
     peak_force() const

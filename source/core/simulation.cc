@@ -78,13 +78,9 @@ namespace MixedCracks
     reinit_on_mesh();
 
     State accepted = resumed ? resumed_state() : initial_state();
-    while (!load_control.at_end() && !separated)
-    {
-      const Progress progress = advance(accepted);
-      if (progress != Progress::accepted)
-        return finish(accepted, progress);
-    }
-    return finish(accepted, Progress::accepted);
+    while (run_end == RunEnd::none)
+      run_end = load_control.at_end() ? RunEnd::end_time : advance(accepted);
+    return finish(accepted);
   }
 
 
@@ -246,13 +242,13 @@ namespace MixedCracks
 
 
   template <int dim>
-  typename Simulation<dim>::Progress
+  RunEnd
   Simulation<dim>::advance(State &accepted)
   {
     while (true)
     {
       if (stop_now())
-        return Progress::interrupted;
+        return RunEnd::stopped;
       State trial     = accepted;
       trial.time      = load_control.target_time();
       trial.time_step = load_control.step();
@@ -265,7 +261,7 @@ namespace MixedCracks
       const StepOutcome   outcome =
         solve_step(accepted, trial, load_control.phase_field_bound());
       if (outcome.interrupted)
-        return Progress::interrupted;
+        return RunEnd::stopped;
       const double change = outcome.runs_away
                               ? std::numeric_limits<double>::infinity()
                               : outcome.phase_field_change;
@@ -275,17 +271,17 @@ namespace MixedCracks
           trial.previous_phase_field = accepted.phase_field;
           record(accepted, trial, outcome);
           accepted = trial;
-          return Progress::accepted;
+          return run_end;
         case LoadControl::Verdict::repeat:
           log.line("  rejected: " + why_rejected(outcome));
           crack_observer.take_back(origins);
           break;
         case LoadControl::Verdict::onset:
           log.line("  onset: " + why_rejected(outcome));
-          return Progress::onset;
+          return RunEnd::onset;
         case LoadControl::Verdict::give_up:
           log.line("  failed at the smallest step: " + outcome.reason);
-          return Progress::failed;
+          return RunEnd::failed;
       }
     }
   }

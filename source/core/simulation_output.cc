@@ -83,10 +83,9 @@ namespace MixedCracks
     const bool joined = crack_observer.record(
       row.step, row.time, row.displacement, state.phase_field);
     if (parameters.load.stop_when_separated && joined)
-      why_separated = "the cracks join two sides";
-    if (load_control.is_separated(row.force_size()))
-      why_separated = "the force fell below the given fraction of its peak";
-    separated = !why_separated.empty();
+      run_end = RunEnd::separated;
+    if (load_control.has_fallen(row.force_size()))
+      run_end = RunEnd::force_fell;
     write_fields_when_due(state);
     scope.reset(); // a checkpoint has its own
     const unsigned int every = parameters.output.checkpoint_every;
@@ -128,7 +127,8 @@ namespace MixedCracks
     const bool past_peak = row.force_size() < 0.98 * load_control.peak_force();
     if (past_peak && !field_output.has(peak_step))
       write_fields(peak_state, peak_step);
-    if (row.step == 0 || separated || (every > 0 && row.step % every == 0))
+    if (row.step == 0 || run_end != RunEnd::none ||
+        (every > 0 && row.step % every == 0))
       write_fields(state, row.step);
   }
 
@@ -150,32 +150,19 @@ namespace MixedCracks
 
   template <int dim>
   RunOutcome
-  Simulation<dim>::finish(const State &last, const Progress progress)
+  Simulation<dim>::finish(const State &last)
   {
     const unsigned int last_step = statistics.rows().back().step;
     if (!field_output.has(peak_step))
       write_fields(peak_state, peak_step);
     if (!field_output.has(last_step))
       write_fields(last, last_step);
-    RunOutcome outcome;
-    if (progress == Progress::interrupted)
-    {
+    if (run_end == RunEnd::stopped)
       write_checkpoint(last);
-      outcome = {5, "stopped on request; continue with --resume"};
-    }
-    else if (progress == Progress::failed)
-      outcome = {3,
-                 "the smallest load step failed; the last accepted state is "
-                 "written"};
-    else if (progress == Progress::onset)
-      outcome.reason = "onset: the next step makes a crack run";
-    else if (separated)
-      outcome.reason = "separated: " + why_separated;
-    else
-      outcome.reason = "end time reached";
-    Summary summary = summarize(outcome);
-    summary.cracks  = crack_observer.finish(last.phase_field);
-    if (dim == 3 && separated)
+    const RunOutcome outcome{exit_status(run_end), in_words(run_end)};
+    Summary          summary = summarize(outcome);
+    summary.cracks           = crack_observer.finish(last.phase_field);
+    if (dim == 3 && summary.separated)
       summary.cracks.path = "separated";
     if (Utilities::MPI::this_mpi_process(communicator) == 0)
       write_summary(parameters.output.directory + "/summary.json",
@@ -206,12 +193,13 @@ namespace MixedCracks
     summary.length_scale       = material->description().length_scale;
     summary.residual_stiffness = material->description().residual_stiffness;
     summary.thickness          = parameters.material.thickness;
-    summary.separated          = separated;
-    summary.exit_reason        = outcome.reason;
-    summary.exit_status        = outcome.exit_status;
-    summary.rejected_steps     = load_control.n_rejected();
-    summary.factorizations     = elastic_step->counts().factorizations;
-    summary.wall_time          = wall_clock.wall_time();
+    summary.separated =
+      run_end == RunEnd::separated || run_end == RunEnd::force_fell;
+    summary.exit_reason    = outcome.reason;
+    summary.exit_status    = outcome.exit_status;
+    summary.rejected_steps = load_control.n_rejected();
+    summary.factorizations = elastic_step->counts().factorizations;
+    summary.wall_time      = wall_clock.wall_time();
     for (const auto &[name, seconds] :
          timer.get_summary_data(TimerOutput::total_wall_time))
       summary.phases[name] = Utilities::MPI::max(seconds, communicator);
@@ -231,7 +219,7 @@ namespace MixedCracks
   template double Simulation<dim>::smallest_phase_field(const State &) const; \
   template void   Simulation<dim>::write_fields_when_due(const State &);      \
   template void   Simulation<dim>::write_fields(const State &, unsigned int); \
-  template RunOutcome Simulation<dim>::finish(const State &, Progress);       \
+  template RunOutcome Simulation<dim>::finish(const State &);                 \
   template Summary    Simulation<dim>::summarize(const RunOutcome &);
   INSTANTIATE(2)
   INSTANTIATE(3)

@@ -206,7 +206,7 @@ namespace MixedCracks
 
 
   bool
-  LoadControl::is_separated(const double force)
+  LoadControl::has_fallen(const double force)
   {
     peak = std::max(peak, force);
     return force < separating_force();

@@ -198,14 +198,14 @@ TEST(LoadControl, StopsWhenTheForceHasFallen)
   watching.stop_fraction  = 0.15;
   LoadControl control(watching);
   for (const double force : {0., 50., 100., 40., 15.01})
-    EXPECT_FALSE(control.is_separated(force)) << force;
+    EXPECT_FALSE(control.has_fallen(force)) << force;
   EXPECT_DOUBLE_EQ(control.peak_force(), 100.);
   EXPECT_DOUBLE_EQ(control.separating_force(), 15.);
-  EXPECT_TRUE(control.is_separated(14.99));
+  EXPECT_TRUE(control.has_fallen(14.99));
 
   LoadControl blind(parameters());
-  EXPECT_FALSE(blind.is_separated(100.));
-  EXPECT_FALSE(blind.is_separated(0.));
+  EXPECT_FALSE(blind.has_fallen(100.));
+  EXPECT_FALSE(blind.has_fallen(0.));
   EXPECT_EQ(blind.separating_force(), 0.);
 }
 

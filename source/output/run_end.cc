@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include <output/run_end.h>
+
+namespace MixedCracks
+{
+  int
+  exit_status(const RunEnd end)
+  {
+    return end == RunEnd::failed ? 3 : end == RunEnd::stopped ? 5 : 0;
+  }
+
+
+
+  std::string
+  in_words(const RunEnd end)
+  {
+    switch (end)
+    {
+      case RunEnd::none:
+        break;
+      case RunEnd::separated:
+        return "separated: the cracks join two sides";
+      case RunEnd::force_fell:
+        return "the force fell below the given fraction of its peak";
+      case RunEnd::end_time:
+        return "end time reached";
+      case RunEnd::onset:
+        return "onset: the next step makes a crack run";
+      case RunEnd::failed:
+        return "the smallest load step failed; the last accepted state is "
+               "written";
+      case RunEnd::stopped:
+        return "stopped on request; continue with --resume";
+    }
+    return "";
+  }
+} // namespace MixedCracks
