@@ -10,6 +10,7 @@
 #include <core/version.h>
 
 #include <output/directory.h>
+#include <output/disk.h>
 
 #include <Trilinos_version.h>
 
@@ -81,7 +82,7 @@ namespace
   RunOutcome
   simulate(const Parameters<dim>                              &parameters,
            const std::string                                  &effective,
-           const std::string                                  &signature,
+           const CaseSignature                                &signature,
            const std::function<RunOutcome(Simulation<dim> &)> &action)
   {
     const OutputTrace  trace(parameters.output.directory, MPI_COMM_WORLD);
@@ -188,6 +189,7 @@ int
 main(int argc, char **argv)
 {
   prepare_single_process();
+  survive_file_size_limit();
   dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
   try
   {

@@ -27,6 +27,10 @@ namespace MixedCracks
     /// Write one line.
     void line(const std::string &text);
 
+    /// What went wrong with the file, for a person; empty when all is well,
+    /// and on the ranks that do not write.
+    std::string failure() const;
+
     /// On a terminal, show this below the last line until the next one.
     void progress(const std::string &text);
 
@@ -37,6 +41,7 @@ namespace MixedCracks
     const bool    on_terminal;
     bool          progress_shown = false;
     std::ofstream file;
+    std::string   name;
     std::string   before_file;
   };
 } // namespace MixedCracks

@@ -2,6 +2,7 @@
 #ifndef mixed_cracks_core_simulation_h
 #define mixed_cracks_core_simulation_h
 
+#include <core/case_signature.h>
 #include <core/parameters.h>
 #include <core/simulation_material.h>
 #include <core/simulation_setup.h>
@@ -41,12 +42,12 @@ namespace MixedCracks
   {
   public:
     /// @p effective_parameters: the complete .prm, to be kept with the
-    /// results. @p signature: the part of it that a resumed run must share.
+    /// results. @p signature: the parts of it that a resumed run looks at.
     /// The parameters have passed their checks and must outlive the
     /// simulation.
     Simulation(const Parameters<dim> &parameters,
                const std::string     &effective_parameters,
-               const std::string     &signature,
+               const CaseSignature   &signature,
                MPI_Comm               communicator,
                Log                   &log);
 
@@ -84,7 +85,21 @@ namespace MixedCracks
 
     State resumed_state();
 
-    void write_checkpoint(const State &state);
+    /// Whether a run that is resumed has no way on with the parameters of
+    /// now, and why.
+    RunEnd end_of_resumed_run(const State &state);
+
+    /// Steps until the end. An error that is not of a file is thrown when the
+    /// last accepted state is safe.
+    void advance_to_the_end(State &accepted);
+
+    /// Fields and a checkpoint of the last state, and the summary.
+    RunOutcome finish(const State &last, const RunOutcome &outcome);
+
+    /// What the run has cost, with the pieces before this one.
+    RunTotals totals();
+
+    void write_checkpoint(const State &state, const RunTotals &cost);
 
     bool stop_now() const;
 
@@ -102,9 +117,7 @@ namespace MixedCracks
 
     void write_fields_when_due(const State &state);
 
-    RunOutcome finish(const State &last);
-
-    Summary summarize(const RunOutcome &outcome);
+    Summary summarize(const RunOutcome &outcome, const RunTotals &cost);
 
     /// On the force boundary, with thickness; N.
     dealii::Tensor<1, dim> force(const State &state) const;
@@ -130,7 +143,7 @@ namespace MixedCracks
 
     const Parameters<dim> &parameters;
     const std::string      effective_parameters;
-    const std::string      signature;
+    const CaseSignature    signature;
     const MPI_Comm         communicator;
     Log                   &log;
     dealii::TimerOutput    timer;
@@ -161,7 +174,9 @@ namespace MixedCracks
     double                   external_work = 0.; // mJ
     Checkpoint<dim>          checkpoint;
     std::optional<RunRecord> resumed;
-    State                    peak_state;
+    RunTotals                earlier;           // pieces of the run
+    bool                     had_ended = false; // before it was resumed
+    State                    peak_state; // its fields; without a reaction
     unsigned int             peak_step          = 0;
     RunEnd                   run_end            = RunEnd::none;
     unsigned int             n_refinements      = 0; // of the mesh, in all

@@ -8,6 +8,9 @@
 
 #include <discretization/fields.h>
 
+#include <output/checkpoint_seal.h>
+#include <output/run_end.h>
+#include <output/run_totals.h>
 #include <output/statistics.h>
 
 #include <string>
@@ -20,15 +23,21 @@ namespace MixedCracks
   struct RunRecord
   {
     /// the entries of the .prm that must not change between the two parts
-    std::string  signature;
+    std::string signature;
+    /// what a step that failed was tried with, as in case_signature.h
+    std::string  attempt;
+    RunEnd       end           = RunEnd::none;
     double       cell_size     = 0.; ///< mm, of the first mesh
     double       time          = 0.; ///< s
     double       time_step     = 0.; ///< that led here, s
-    double       next_step     = 0.; ///< s
+    double       next_step     = 0.; ///< s, not shortened to meet the end time
     double       peak_force    = 0.; ///< N
     double       external_work = 0.; ///< mJ
     unsigned int peak_step     = 0;
-    unsigned int steps_to_wait = 0; ///< before the load step may grow
+    unsigned int steps_to_wait = 0;      ///< before the load step may grow
+    unsigned int n_refinements = 0;      ///< of the mesh so far
+    unsigned int n_imbalanced_steps = 0; ///< so far
+    RunTotals    totals;                 ///< so far
 
     /// where damage was seen first, mm
     std::vector<dealii::Point<2>>               nuclei;
@@ -37,7 +46,9 @@ namespace MixedCracks
   };
 
   /// The state written down, in two generations so that one of them is whole
-  /// whenever the program is stopped. Each has checksums of its files.
+  /// whenever the program is stopped. A generation is whole when its seal fits
+  /// to its record, and the record to the files that it lists with sizes and
+  /// checksums.
   template <int dim>
   class Checkpoint
   {
@@ -47,33 +58,54 @@ namespace MixedCracks
     /// @p directory: the output directory.
     Checkpoint(const std::string &directory, MPI_Comm communicator);
 
-    /// Overwrite the older generation. Throws FileError. Collective.
-    void write(const RunRecord     &record,
-               const State         &state,
-               const Fields<dim>   &fields,
-               const Triangulation &triangulation) const;
+    /// Overwrite the older generation: when this returns, it is on the disk
+    /// and was read back. Throws FileError, and leaves the other generation
+    /// alone. Collective.
+    void write(const RunRecord   &record,
+               const State       &state,
+               const Fields<dim> &fields,
+               Triangulation     &triangulation);
 
     /// Find the newest whole generation and read what is not a field. Throws
-    /// InputError when there is none. Collective.
+    /// FileError when there is none, or one of another format. Collective.
     RunRecord read();
 
-    /// Refine the coarse mesh as it was, after read().
+    /// Refine the coarse mesh as it was, after read(). Throws FileError.
     void load_mesh(Triangulation &triangulation) const;
 
     /// The fields, after load_mesh() and the distribution of dofs; times are
-    /// left alone.
-    void load_fields(const Fields<dim> &fields, State &state) const;
+    /// left alone. Throws FileError.
+    void load_fields(const Fields<dim> &fields,
+                     Triangulation     &triangulation,
+                     State             &state) const;
 
   private:
     std::string generation_directory(int generation) const;
 
-    /// Step of a generation, -1 when it is not whole. On rank 0.
-    int step_of(int generation) const;
+    /// See which generations there are, on rank 0, and tell all; what is wrong
+    /// with those that are not whole, or nothing.
+    std::string look_for_generations();
+
+    /// Empty a generation and see that the disk has room for a new one.
+    void make_room(const std::string   &path,
+                   const Fields<dim>   &fields,
+                   const Triangulation &triangulation) const;
 
     const std::string directory;
     const MPI_Comm    communicator;
-    int               chosen = 0;
+    bool              has_looked       = false;
+    bool              has_other_format = false; ///< one of the generations
+    int               newest           = -1;    ///< whole generation, if any
+    unsigned long int number           = 0; ///< of the checkpoints of the run
+    ContentsOnDisk    contents;             ///< of the one that was read
   };
+
+  /// Bytes that one generation takes on a mesh of @p n_cells, at most; without
+  /// the rows of the run, which are about 0.3 kB each.
+  template <int dim>
+  std::uint64_t checkpoint_size(const Fields<dim> &fields,
+                                std::uint64_t      n_cells,
+                                std::uint64_t      n_coarse_cells);
 } // namespace MixedCracks
 
 #endif

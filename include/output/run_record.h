@@ -11,12 +11,10 @@ namespace MixedCracks
   /// As text, numbers to the last digit.
   void write_record(std::ostream &out, const RunRecord &record);
 
-  /// Throws FileError when the text is not what write_record() writes.
+  /// Throws FileError when the text is not what write_record() writes, or is
+  /// of no run: without rows, with gaps in their numbers, with times or steps
+  /// that are none.
   RunRecord read_record(std::istream &in);
-
-  /// A checksum (FNV-1a, 64 bits) of a file's contents; 0 when it cannot be
-  /// read.
-  unsigned long long file_checksum(const std::string &file_name);
 } // namespace MixedCracks
 
 #endif

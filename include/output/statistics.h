@@ -6,6 +6,7 @@
 
 #include <array>
 #include <fstream>
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -34,8 +35,10 @@ namespace MixedCracks
     unsigned int          factorizations      = 0;
     unsigned int          rejected_steps      = 0;
     unsigned int          refinements         = 0;
-    double                crack_volume        = 0.; ///< mm^3, where asked for
-    std::vector<double>   point_displacements;      ///< mm; components in turn
+    /// mm^3; NaN where it was not asked for
+    double crack_volume = std::numeric_limits<double>::quiet_NaN();
+    /// mm; components in turn; empty where not asked for
+    std::vector<double> point_displacements;
     /// integral of the crack density: in 2-d a length in mm (whatever the
     /// thickness), in 3-d an area in mm^2
     double crack_surface = 0.;
@@ -83,6 +86,7 @@ namespace MixedCracks
     const MPI_Comm             communicator;
     int                        dim               = 2;
     bool                       with_crack_volume = false;
+    std::size_t                n_point_columns   = 0;
     std::string                name;
     std::ofstream              file;
     std::vector<StatisticsRow> table;

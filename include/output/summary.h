@@ -27,17 +27,18 @@ namespace MixedCracks
     Outcome      cracks;
     std::string  exit_reason;
     int          exit_status    = 0;
-    unsigned int rejected_steps = 0, factorizations = 0;
+    unsigned int rejected_steps = 0, factorizations = 0, solves = 0;
     double       wall_time = 0.; ///< s
     /// seconds spent in each phase, the largest over the ranks
     std::map<std::string, double> phases;
     std::vector<std::string>      warnings;
   };
 
-  /// Write it with the peak that @p rows show. Called on one rank.
-  void write_summary(const std::string                &file_name,
-                     const Summary                    &summary,
-                     const std::vector<StatisticsRow> &rows);
+  /// Write it with the peak that @p rows show. Called on one rank. Returns what
+  /// went wrong, for a person.
+  std::string write_summary(const std::string                &file_name,
+                            const Summary                    &summary,
+                            const std::vector<StatisticsRow> &rows);
 
   /// Index of the row with the largest force.
   std::size_t peak_row(const std::vector<StatisticsRow> &rows);

@@ -43,6 +43,12 @@ namespace MixedCracks
     void restore(const std::set<unsigned int> &steps);
 
   private:
+    /// Whether the disk has room for the files. Collective.
+    bool has_room(const dealii::DataOutBase::DataOutFilter &data,
+                  bool                                      has_cells,
+                  bool                                      new_mesh,
+                  const std::string &solution_file) const;
+
     void write_hdf5(const dealii::DataOut<dim>               &data_out,
                     const dealii::DataOutBase::DataOutFilter &data,
                     bool                                      has_cells,

@@ -55,6 +55,13 @@ namespace MixedCracks
       return time_step;
     }
 
+    /// The step that would be tried if there were no end time, s.
+    double
+    natural_step() const
+    {
+      return natural;
+    }
+
     /// The bound on the change of the phase field that holds for the present
     /// step; infinity at the onset step and below, unless the run is to end
     /// there.
@@ -96,7 +103,8 @@ namespace MixedCracks
       return to_wait;
     }
 
-    /// Continue from a checkpoint.
+    /// Continue from a checkpoint; @p step: the natural one, which is kept
+    /// within what the parameters allow now.
     void restore(double       time,
                  double       step,
                  double       peak_force,
@@ -109,7 +117,8 @@ namespace MixedCracks
 
     LoadParameters parameters;
     double         time = 0.;
-    double         time_step;
+    double         time_step; // to be tried
+    double         natural;   // the same, were there no end time
     double         peak     = 0.;
     unsigned int   rejected = 0;
     unsigned int   to_wait  = 0; // easy steps before the step may grow

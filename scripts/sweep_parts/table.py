@@ -41,7 +41,9 @@ def statistics_of(directory):
     for row in rows[1:]:
         try:
             if len(row) == len(rows[0]):
-                found.append({name.strip(): float(value)
+                # a column that was asked for later is empty in earlier rows
+                found.append({name.strip(): float(value) if value.strip()
+                              else float("nan")
                               for name, value in zip(rows[0], row)})
         except ValueError:
             continue

@@ -45,9 +45,22 @@ namespace MixedCracks
   {
     if (!active)
       return;
-    file.open(file_name, append ? std::ios::app : std::ios::trunc);
+    name = file_name;
+    file.open(name, append ? std::ios::app : std::ios::trunc);
     file << before_file << std::flush;
     before_file.clear();
+  }
+
+
+
+  std::string
+  Log::failure() const
+  {
+    // a file that could not be opened has failed, too
+    if (name.empty() || file)
+      return "";
+    return "Output/Directory: '" + name +
+           "' cannot be written any more; is the disk full?";
   }
 
 

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include <core/case_signature.h>
 #include <core/errors.h>
 #include <core/simulation.h>
 
@@ -13,7 +12,7 @@ namespace MixedCracks
   template <int dim>
   Simulation<dim>::Simulation(const Parameters<dim> &parameters,
                               const std::string     &effective_parameters,
-                              const std::string     &signature,
+                              const CaseSignature   &signature,
                               const MPI_Comm         communicator,
                               Log                   &log)
     : parameters(parameters)
@@ -62,7 +61,7 @@ namespace MixedCracks
     if (existing == ExistingRun::resume)
     {
       resumed = checkpoint.read();
-      require_same_case(resumed->signature, signature);
+      require_same_case(resumed->signature, signature.problem);
     }
     // an existing run is refused at once, but replaced only when the mesh of
     // the new one is there
@@ -78,9 +77,11 @@ namespace MixedCracks
     reinit_on_mesh();
 
     State accepted = resumed ? resumed_state() : initial_state();
-    while (run_end == RunEnd::none)
-      run_end = load_control.at_end() ? RunEnd::end_time : advance(accepted);
-    return finish(accepted);
+    if (resumed)
+      run_end = end_of_resumed_run(accepted);
+    had_ended = run_end != RunEnd::none && resumed;
+    advance_to_the_end(accepted);
+    return finish(accepted, {exit_status(run_end), in_words(run_end)});
   }
 
 

@@ -109,8 +109,6 @@ namespace MixedCracks
     reinit_on_mesh();
     // nodal forces cannot be interpolated
     elastic_step->update_reaction(accepted);
-    if (peak_state.elastic.size() > 0)
-      peak_state.reaction = accepted.reaction;
     log.line(printed(
       "  refined: %llu cells, %llu dofs",
       static_cast<unsigned long long>(triangulation.n_global_active_cells()),

@@ -98,6 +98,12 @@ namespace MixedCracks
                      "ranks together",
                      1e-9 * bytes_of_solution<dim>(solver, fields.n_dofs()),
                      solver.c_str()));
+    log.line(printed("checkpoint: about %.3g MB on this mesh, and twice that "
+                     "on the disk, as the one before is kept",
+                     1e-6 * static_cast<double>(checkpoint_size(
+                              fields,
+                              triangulation.n_global_active_cells(),
+                              triangulation.n_cells(0)))));
   }
 
 
@@ -252,7 +258,7 @@ namespace MixedCracks
                      last.step,
                      summary.rejected_steps,
                      summary.factorizations,
-                     elastic_step->counts().solves,
+                     summary.solves,
                      summary.wall_time));
     std::string text = "seconds:";
     for (const auto &[name, seconds] : summary.phases)

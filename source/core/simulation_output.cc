@@ -63,22 +63,25 @@ namespace MixedCracks
     row.active_set_size     = outcome.active_set_size;
     row.cells               = triangulation.n_global_active_cells();
     row.dofs                = fields.n_dofs();
-    row.wall_time           = wall_clock.wall_time();
+    row.wall_time           = earlier.wall_time + wall_clock.wall_time();
     row.coupling_iterations = outcome.coupling_iterations;
     row.coupling_change     = outcome.coupling_change;
-    row.factorizations      = elastic_step->counts().factorizations;
-    row.rejected_steps      = load_control.n_rejected();
-    row.refinements         = n_refinements;
+    row.factorizations =
+      earlier.factorizations + elastic_step->counts().factorizations;
+    row.rejected_steps = earlier.rejected_steps + load_control.n_rejected();
+    row.refinements    = n_refinements;
     record_opening(state, row);
     row.point_displacements = point_displacements.evaluate(state.elastic);
     statistics.add(row);
     log_step(row);
     check_energy_balance();
+    throw_on_all_ranks(log.failure(), communicator);
 
     if (row.force_size() > load_control.peak_force())
     {
       peak_state = state;
-      peak_step  = row.step;
+      peak_state.reaction.clear(); // which is of no use on another mesh
+      peak_step = row.step;
     }
     const bool joined = crack_observer.record(
       row.step, row.time, row.displacement, state.phase_field);
@@ -89,8 +92,10 @@ namespace MixedCracks
     write_fields_when_due(state);
     scope.reset(); // a checkpoint has its own
     const unsigned int every = parameters.output.checkpoint_every;
-    if (every > 0 && row.step > 0 && row.step % every == 0)
-      write_checkpoint(state);
+    // the end writes one of its own
+    if (every > 0 && row.step > 0 && row.step % every == 0 &&
+        run_end == RunEnd::none && !load_control.at_end())
+      write_checkpoint(state, totals());
   }
 
 
@@ -149,34 +154,8 @@ namespace MixedCracks
 
 
   template <int dim>
-  RunOutcome
-  Simulation<dim>::finish(const State &last)
-  {
-    const unsigned int last_step = statistics.rows().back().step;
-    if (!field_output.has(peak_step))
-      write_fields(peak_state, peak_step);
-    if (!field_output.has(last_step))
-      write_fields(last, last_step);
-    if (run_end == RunEnd::stopped)
-      write_checkpoint(last);
-    const RunOutcome outcome{exit_status(run_end), in_words(run_end)};
-    Summary          summary = summarize(outcome);
-    summary.cracks           = crack_observer.finish(last.phase_field);
-    if (dim == 3 && summary.separated)
-      summary.cracks.path = "separated";
-    if (Utilities::MPI::this_mpi_process(communicator) == 0)
-      write_summary(parameters.output.directory + "/summary.json",
-                    summary,
-                    statistics.rows());
-    log_end(outcome, summary);
-    return outcome;
-  }
-
-
-
-  template <int dim>
   Summary
-  Simulation<dim>::summarize(const RunOutcome &outcome)
+  Simulation<dim>::summarize(const RunOutcome &outcome, const RunTotals &cost)
   {
     Summary summary;
     summary.version            = MIXED_CRACKS_VERSION;
@@ -195,14 +174,13 @@ namespace MixedCracks
     summary.thickness          = parameters.material.thickness;
     summary.separated =
       run_end == RunEnd::separated || run_end == RunEnd::force_fell;
-    summary.exit_reason    = outcome.reason;
-    summary.exit_status    = outcome.exit_status;
-    summary.rejected_steps = load_control.n_rejected();
-    summary.factorizations = elastic_step->counts().factorizations;
-    summary.wall_time      = wall_clock.wall_time();
-    for (const auto &[name, seconds] :
-         timer.get_summary_data(TimerOutput::total_wall_time))
-      summary.phases[name] = Utilities::MPI::max(seconds, communicator);
+    summary.exit_reason       = outcome.reason;
+    summary.exit_status       = outcome.exit_status;
+    summary.rejected_steps    = cost.rejected_steps;
+    summary.factorizations    = cost.factorizations;
+    summary.solves            = cost.solves;
+    summary.wall_time         = cost.wall_time;
+    summary.phases            = cost.phases;
     summary.dimension         = dim;
     summary.with_crack_volume = parameters.crack_opening.crack_volume;
     summary.warnings          = warnings;
@@ -211,16 +189,16 @@ namespace MixedCracks
 
 
 
-#define INSTANTIATE(dim)                                                      \
-  template void Simulation<dim>::prepare_output(ExistingRun);                 \
-  template void Simulation<dim>::record(                                      \
-    const State &, const State &, const StepOutcome &);                       \
-  template Tensor<1, dim> Simulation<dim>::force(const State &) const;        \
-  template double Simulation<dim>::smallest_phase_field(const State &) const; \
-  template void   Simulation<dim>::write_fields_when_due(const State &);      \
-  template void   Simulation<dim>::write_fields(const State &, unsigned int); \
-  template RunOutcome Simulation<dim>::finish(const State &);                 \
-  template Summary    Simulation<dim>::summarize(const RunOutcome &);
+#define INSTANTIATE(dim)                                                       \
+  template void Simulation<dim>::prepare_output(ExistingRun);                  \
+  template void Simulation<dim>::record(                                       \
+    const State &, const State &, const StepOutcome &);                        \
+  template Tensor<1, dim> Simulation<dim>::force(const State &) const;         \
+  template double  Simulation<dim>::smallest_phase_field(const State &) const; \
+  template void    Simulation<dim>::write_fields_when_due(const State &);      \
+  template void    Simulation<dim>::write_fields(const State &, unsigned int); \
+  template Summary Simulation<dim>::summarize(const RunOutcome &,              \
+                                              const RunTotals &);
   INSTANTIATE(2)
   INSTANTIATE(3)
 #undef INSTANTIATE

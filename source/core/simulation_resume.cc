@@ -25,21 +25,26 @@ namespace MixedCracks
 
   template <int dim>
   void
-  Simulation<dim>::write_checkpoint(const State &state)
+  Simulation<dim>::write_checkpoint(const State &state, const RunTotals &cost)
   {
     TimerOutput::Scope scope(timer, "output");
     RunRecord          record;
-    record.signature     = signature;
-    record.cell_size     = cell_size;
-    record.time          = state.time;
-    record.time_step     = state.time_step;
-    record.next_step     = load_control.step();
-    record.peak_force    = load_control.peak_force();
-    record.external_work = external_work;
-    record.peak_step     = peak_step;
-    record.steps_to_wait = load_control.steps_to_wait();
-    record.nuclei        = crack_observer.origins().nuclei();
-    record.rows          = statistics.rows();
+    record.signature          = signature.problem;
+    record.attempt            = signature.attempt;
+    record.end                = run_end;
+    record.cell_size          = cell_size;
+    record.time               = state.time;
+    record.time_step          = state.time_step;
+    record.next_step          = load_control.natural_step();
+    record.peak_force         = load_control.peak_force();
+    record.external_work      = external_work;
+    record.peak_step          = peak_step;
+    record.steps_to_wait      = load_control.steps_to_wait();
+    record.n_refinements      = n_refinements;
+    record.n_imbalanced_steps = n_imbalanced_steps;
+    record.totals             = cost;
+    record.nuclei             = crack_observer.origins().nuclei();
+    record.rows               = statistics.rows();
     // the state of the peak is not kept: what shall be seen of it is written
     if (!field_output.has(peak_step))
       write_fields(peak_state, peak_step);
@@ -54,7 +59,7 @@ namespace MixedCracks
   Simulation<dim>::resumed_state()
   {
     State state;
-    checkpoint.load_fields(fields, state);
+    checkpoint.load_fields(fields, triangulation, state);
     state.time      = resumed->time;
     state.time_step = resumed->time_step;
     load_control.restore(resumed->time,
@@ -64,8 +69,11 @@ namespace MixedCracks
     external_work = resumed->external_work;
     peak_step     = resumed->peak_step;
     peak_state    = state;
+    peak_state.reaction.clear();
     statistics.restore(resumed->rows);
-    n_refinements = resumed->rows.back().refinements;
+    n_refinements      = resumed->n_refinements;
+    n_imbalanced_steps = resumed->n_imbalanced_steps;
+    earlier            = resumed->totals;
     crack_observer.resume(material->description().length_scale,
                           resumed->rows.back().step,
                           resumed->nuclei,
@@ -82,9 +90,10 @@ namespace MixedCracks
 
 
 
-#define INSTANTIATE(dim)                                           \
-  template bool  Simulation<dim>::stop_now() const;                \
-  template void  Simulation<dim>::write_checkpoint(const State &); \
+#define INSTANTIATE(dim)                                               \
+  template bool  Simulation<dim>::stop_now() const;                    \
+  template void  Simulation<dim>::write_checkpoint(const State &,      \
+                                                  const RunTotals &); \
   template State Simulation<dim>::resumed_state();
   INSTANTIATE(2)
   INSTANTIATE(3)

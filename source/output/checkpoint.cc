@@ -3,16 +3,12 @@
 
 #include <deal.II/base/mpi.h>
 
-#include <deal.II/distributed/solution_transfer.h>
-
 #include <output/checkpoint.h>
 #include <output/directory.h>
+#include <output/disk.h>
 #include <output/run_record.h>
 
-#include <algorithm>
-#include <cstdio>
 #include <filesystem>
-#include <fstream>
 #include <sstream>
 
 namespace MixedCracks
@@ -22,44 +18,93 @@ namespace MixedCracks
 
   namespace
   {
-    using Vector = LinearAlgebra::Vector;
+    const std::string mesh_name = "/mesh";
+
+    // Of a cell of the coarse mesh in p4est's file: its corners, neighbours
+    // and, at most, corners and edges of its own.
+    template <int dim>
+    constexpr std::uint64_t bytes_per_tree = dim == 2 ? 140 : 400;
+
+    // Of a cell in p4est's file: its coordinates and its level.
+    template <int dim>
+    constexpr std::uint64_t bytes_per_quadrant = 4 * (dim + 1);
+
+    // of what is small: record, seal, the ends of blocks
+    constexpr std::uint64_t margin = 65536;
+
+
 
     template <int dim>
-    using Transfer = parallel::distributed::SolutionTransfer<dim, Vector>;
-
-    // the last file to be written: what it names is whole
-    const char *const seal_name   = "seal.txt";
-    const char *const record_name = "record.txt";
-    const char *const mesh_name   = "mesh";
-
-    // every file but the seal itself with its checksum, in order of names
-    std::string
-    contents(const fs::path &directory)
+    std::uint64_t
+    largest_mesh_size(const std::uint64_t n_cells,
+                      const std::uint64_t n_coarse_cells)
     {
-      std::vector<std::string> lines;
-      for (const auto &entry : fs::directory_iterator(directory))
-        if (entry.path().filename() != seal_name)
-          lines.push_back(entry.path().filename().string() + ' ' +
-                          std::to_string(file_checksum(entry.path().string())));
-      std::sort(lines.begin(), lines.end());
-      std::string text;
-      for (const std::string &line : lines)
-        text += line + '\n';
-      return text;
+      return n_cells * bytes_per_quadrant<dim> +
+             n_coarse_cells * bytes_per_tree<dim> + 16384;
+    }
+
+
+
+    // p4est puts the cells last, each with bytes of its own, at a multiple of
+    // 32 bytes, and before them the counts of cells of the coarse ones. What
+    // was cut off elsewhere is found out before it ends the program there.
+    template <int dim>
+    void
+    require_mesh_size(const std::string  &path,
+                      const std::uint64_t n_cells,
+                      const std::uint64_t n_coarse_cells)
+    {
+      const auto size  = static_cast<std::uint64_t>(size_of_file(path));
+      const auto cells = n_cells * bytes_per_quadrant<dim>;
+      if (size < cells + 8 * n_coarse_cells || (size - cells) % 32 != 0 ||
+          size > largest_mesh_size<dim>(n_cells, n_coarse_cells))
+        throw FileError("'" + path + "' has " + std::to_string(size) +
+                        " bytes, which is not the size of a mesh of " +
+                        std::to_string(n_cells) + " cells");
+    }
+
+
+
+    // the same on all ranks
+    template <int dim>
+    unsigned int
+    mesh_checksum(const parallel::distributed::Triangulation<dim> &mesh)
+    {
+      return Utilities::MPI::broadcast(
+        mesh.get_communicator(), mesh.get_checksum(), 0);
     }
 
 
 
     void
-    seal(const fs::path &directory, const unsigned int step)
+    require_on_all_ranks(const std::string &message,
+                         const MPI_Comm     communicator)
     {
-      const std::string text = contents(directory);
-      std::ofstream     file(directory / seal_name);
-      file << step << '\n' << text << std::flush;
-      if (!file)
-        throw FileError("the disk may be full");
+      const unsigned int n = Utilities::MPI::n_mpi_processes(communicator);
+      const unsigned int failing = Utilities::MPI::min(
+        message.empty() ? n : Utilities::MPI::this_mpi_process(communicator),
+        communicator);
+      if (failing < n)
+        throw FileError(
+          "the checkpoint cannot be written: " +
+          Utilities::MPI::broadcast(communicator, message, failing));
     }
   } // namespace
+
+
+
+  template <int dim>
+  std::uint64_t
+  checkpoint_size(const Fields<dim>  &fields,
+                  const std::uint64_t n_cells,
+                  const std::uint64_t n_coarse_cells)
+  {
+    FieldsOnDisk values;
+    values.cells          = n_cells;
+    values.bytes_per_cell = checkpoint_bytes_per_cell(fields);
+    return size_of_values(values) +
+           largest_mesh_size<dim>(n_cells, n_coarse_cells);
+  }
 
 
 
@@ -82,73 +127,129 @@ namespace MixedCracks
 
 
   template <int dim>
-  int
-  Checkpoint<dim>::step_of(const int generation) const
+  std::string
+  Checkpoint<dim>::look_for_generations()
   {
-    const fs::path path = generation_directory(generation);
-    std::ifstream  file(path / seal_name);
-    int            step = -1;
-    if (!(file >> step))
-      return -1;
-    std::string rest;
-    std::getline(file, rest);
-    std::ostringstream listed;
-    listed << file.rdbuf();
-    return listed.str() == contents(path) ? step : -1;
+    std::string problems;
+    if (Utilities::MPI::this_mpi_process(communicator) == 0)
+      for (const int generation : {0, 1})
+      {
+        const std::string path = generation_directory(generation);
+        const Seal        seal = read_seal(path);
+        if (seal.format == 0)
+          continue; // not there, or never finished
+        const std::string name =
+          "; generation-" + std::to_string(generation) + ": ";
+        try
+        {
+          has_other_format =
+            has_other_format || seal.format != checkpoint_format;
+          if (seal.format != checkpoint_format)
+            throw FileError("checkpoint format " + std::to_string(seal.format) +
+                            ", this program reads " +
+                            std::to_string(checkpoint_format));
+          std::istringstream run(read_sealed(path).run);
+          if (read_record(run).rows.back().step != seal.step)
+            throw FileError("it ends at another step than its seal");
+          if (newest < 0 || seal.number > number)
+            newest = generation;
+          number = std::max(number, seal.number);
+        }
+        catch (const std::exception &error)
+        {
+          problems += name + error.what();
+        }
+      }
+    newest = Utilities::MPI::broadcast(communicator, newest, 0);
+    number = Utilities::MPI::broadcast(communicator, number, 0);
+    has_other_format =
+      Utilities::MPI::broadcast(communicator, has_other_format, 0);
+    has_looked = true;
+    return Utilities::MPI::broadcast(communicator, problems, 0);
   }
 
 
 
   template <int dim>
   void
-  Checkpoint<dim>::write(const RunRecord     &record,
-                         const State         &state,
-                         const Fields<dim>   &fields,
-                         const Triangulation &triangulation) const
+  Checkpoint<dim>::make_room(const std::string   &path,
+                             const Fields<dim>   &fields,
+                             const Triangulation &triangulation) const
   {
-    const bool  first = Utilities::MPI::this_mpi_process(communicator) == 0;
-    int         generation = 0;
-    std::string message;
-    if (first)
+    std::string  message;
+    FieldsOnDisk values;
+    values.cells          = triangulation.n_global_active_cells();
+    values.bytes_per_cell = checkpoint_bytes_per_cell(fields);
+    if (Utilities::MPI::this_mpi_process(communicator) == 0)
       try
       {
-        generation = step_of(0) < step_of(1) ? 0 : 1;
-        fs::remove_all(generation_directory(generation));
-        fs::create_directories(generation_directory(generation));
+        fs::remove_all(path);
+        fs::create_directories(path);
+        message = missing_space_for(
+          {{path + mesh_name,
+            largest_mesh_size<dim>(values.cells, triangulation.n_cells(0))},
+           {path + mesh_name + "_fixed.data", size_of_values(values)},
+           {path + "/record.txt", margin}});
       }
       catch (const std::exception &error)
       {
-        message =
-          std::string("the checkpoint cannot be written: ") + error.what();
+        message = error.what();
       }
-    throw_on_all_ranks(message, communicator);
-    generation = Utilities::MPI::broadcast(communicator, generation, 0);
+    require_on_all_ranks(message, communicator);
+  }
 
-    Transfer<dim> elastic(fields.elastic), phase_field(fields.phase_field);
-    elastic.prepare_for_serialization(
-      std::vector<const Vector *>{&state.elastic, &state.reaction});
-    phase_field.prepare_for_serialization(
-      std::vector<const Vector *>{&state.phase_field,
-                                  &state.lagged_phase_field,
-                                  &state.previous_phase_field});
-    triangulation.save(generation_directory(generation) + '/' + mesh_name);
-    MPI_Barrier(communicator);
-    if (first)
+
+
+  template <int dim>
+  void
+  Checkpoint<dim>::write(const RunRecord   &record,
+                         const State       &state,
+                         const Fields<dim> &fields,
+                         Triangulation     &triangulation)
+  {
+    if (!has_looked)
+      look_for_generations();
+    const int         next = newest == 0 ? 1 : 0;
+    const std::string path = generation_directory(next);
+    make_room(path, fields, triangulation);
+
+    ContentsOnDisk written;
+    written.mesh_checksum = mesh_checksum(triangulation);
+    written.fields        = CheckpointFields<dim>(fields).save(
+      state, triangulation, path + mesh_name);
+    // every rank sends its part to the disk
+    std::string message;
+    for (const char *const ending : {"", ".info", "_fixed.data"})
+      if (message.empty())
+        message = sync_to_disk(path + mesh_name + ending);
+    require_on_all_ranks(message, communicator);
+    const FieldsOnDisk found =
+      read_back(path + mesh_name + "_fixed.data", written.fields, communicator);
+    if (found.sum != written.fields.sum || found.cells != written.fields.cells)
+      message = "'" + path + mesh_name +
+                "_fixed.data' is not what was written; is the disk full?";
+    require_on_all_ranks(message, communicator);
+
+    if (Utilities::MPI::this_mpi_process(communicator) == 0)
       try
       {
-        {
-          std::ofstream file(generation_directory(generation) + '/' +
-                             record_name);
-          write_record(file, record);
-        }
-        seal(generation_directory(generation), record.rows.back().step);
+        require_mesh_size<dim>(
+          path + mesh_name, written.fields.cells, triangulation.n_cells(0));
+        written.files = files_of_libraries(path);
+        std::ostringstream run;
+        write_record(run, record);
+        write_seal(
+          path, written, run.str(), number + 1, record.rows.back().step);
+        if (read_seal(path).number != number + 1)
+          throw FileError("its seal is not what was written");
       }
       catch (const std::exception &error)
       {
-        message =
-          std::string("the checkpoint cannot be written: ") + error.what();
+        message = error.what();
       }
-    throw_on_all_ranks(message, communicator);
+    require_on_all_ranks(message, communicator);
+    newest = next;
+    ++number;
   }
 
 
@@ -157,26 +258,22 @@ namespace MixedCracks
   RunRecord
   Checkpoint<dim>::read()
   {
-    std::string text, message;
+    const std::string problems = look_for_generations();
+    // one that another program wrote may be the newer one
+    if (has_other_format || newest < 0)
+      throw FileError(
+        "--resume: there is no whole checkpoint in '" + directory + "'" +
+        problems +
+        ". Allowed: the output directory of a run that wrote one (Output/"
+        "Checkpoint every).");
+    std::string text;
     if (Utilities::MPI::this_mpi_process(communicator) == 0)
-    {
-      const int steps[] = {
-        fs::exists(generation_directory(0)) ? step_of(0) : -1,
-        fs::exists(generation_directory(1)) ? step_of(1) : -1};
-      chosen = steps[1] > steps[0] ? 1 : 0;
-      if (steps[chosen] < 0)
-        message = "--resume: there is no whole checkpoint in '" + directory +
-                  "'. Allowed: the output directory of a run that wrote one "
-                  "(Output/Checkpoint every).";
-      std::ifstream      file(generation_directory(chosen) + '/' + record_name);
-      std::ostringstream all;
-      all << file.rdbuf();
-      text = all.str();
-    }
-    throw_on_all_ranks(message, communicator);
-    chosen = Utilities::MPI::broadcast(communicator, chosen, 0);
-    std::istringstream in(Utilities::MPI::broadcast(communicator, text, 0));
-    return read_record(in);
+      text = contents_of_file(generation_directory(newest) + "/record.txt");
+    const SealedRecord sealed =
+      split_record(Utilities::MPI::broadcast(communicator, text, 0));
+    contents = sealed.contents;
+    std::istringstream run(sealed.run);
+    return read_record(run);
   }
 
 
@@ -185,43 +282,53 @@ namespace MixedCracks
   void
   Checkpoint<dim>::load_mesh(Triangulation &triangulation) const
   {
-    triangulation.load(generation_directory(chosen) + '/' + mesh_name);
+    int failed = 0;
+    try
+    {
+      require_mesh_size<dim>(generation_directory(newest) + mesh_name,
+                             contents.fields.cells,
+                             triangulation.n_cells(0));
+      triangulation.load(generation_directory(newest) + mesh_name);
+    }
+    catch (const std::exception &)
+    {
+      failed = 1;
+    }
+    if (Utilities::MPI::max(failed, communicator) > 0 ||
+        mesh_checksum(triangulation) != contents.mesh_checksum ||
+        triangulation.n_global_active_cells() != contents.fields.cells)
+      throw FileError("--resume: the mesh of the checkpoint in '" + directory +
+                      "' cannot be restored.");
   }
 
 
 
   template <int dim>
   void
-  Checkpoint<dim>::load_fields(const Fields<dim> &fields, State &state) const
+  Checkpoint<dim>::load_fields(const Fields<dim> &fields,
+                               Triangulation     &triangulation,
+                               State             &state) const
   {
-    Vector elastic     = fields.owned_vector(fields.elastic_dofs);
-    Vector reaction    = elastic;
-    Vector phase_field = fields.owned_vector(fields.phase_field_dofs);
-    Vector lagged = phase_field, previous = phase_field;
-    // in the order in which they were written
-    Transfer<dim>         elastic_transfer(fields.elastic);
-    Transfer<dim>         phase_field_transfer(fields.phase_field);
-    std::vector<Vector *> on_elastic     = {&elastic, &reaction};
-    std::vector<Vector *> on_phase_field = {&phase_field, &lagged, &previous};
-    elastic_transfer.deserialize(on_elastic);
-    phase_field_transfer.deserialize(on_phase_field);
-    state.elastic              = fields.ghosted_vector(fields.elastic_dofs);
-    state.reaction             = state.elastic;
-    state.phase_field          = fields.ghosted_vector(fields.phase_field_dofs);
-    state.lagged_phase_field   = state.phase_field;
-    state.previous_phase_field = state.phase_field;
-    const Vector &elastic_values = elastic, &reaction_values = reaction;
-    const Vector &phase_field_values = phase_field, &lagged_values = lagged;
-    const Vector &previous_values = previous;
-    state.elastic                 = elastic_values;
-    state.reaction                = reaction_values;
-    state.phase_field             = phase_field_values;
-    state.lagged_phase_field      = lagged_values;
-    state.previous_phase_field    = previous_values;
+    if (checkpoint_bytes_per_cell(fields) != contents.fields.bytes_per_cell)
+      throw FileError("--resume: the checkpoint in '" + directory +
+                      "' holds values of other elements.");
+    try
+    {
+      CheckpointFields<dim>(fields).load(contents.fields, triangulation, state);
+    }
+    catch (const FileError &error)
+    {
+      throw FileError("--resume: the checkpoint in '" + directory +
+                      "' cannot be read: " + error.what() + ".");
+    }
   }
 
 
 
   template class Checkpoint<2>;
   template class Checkpoint<3>;
+  template std::uint64_t
+  checkpoint_size(const Fields<2> &, std::uint64_t, std::uint64_t);
+  template std::uint64_t
+  checkpoint_size(const Fields<3> &, std::uint64_t, std::uint64_t);
 } // namespace MixedCracks

@@ -5,11 +5,11 @@
 
 #include <output/crack_surface.h>
 #include <output/directory.h>
+#include <output/disk.h>
 #include <output/field_output.h>
 
 #include <algorithm>
-#include <filesystem>
-#include <fstream>
+#include <sstream>
 
 namespace MixedCracks
 {
@@ -46,6 +46,19 @@ namespace MixedCracks
     digits_of_step(const std::string &name)
     {
       return name.substr(name.rfind('_') + 1, 5);
+    }
+
+    // "fields_00012.02.vtu" of "fields_00012.pvtu", rank 2 and 12 ranks
+    std::string
+    piece_of(const std::string &name, const MPI_Comm communicator)
+    {
+      const unsigned int last =
+        Utilities::MPI::n_mpi_processes(communicator) - 1;
+      return name.substr(0, name.rfind('.')) + '.' +
+             Utilities::int_to_string(
+               Utilities::MPI::this_mpi_process(communicator),
+               Utilities::needed_digits(last)) +
+             ".vtu";
     }
 
     template <int dim>
@@ -149,6 +162,14 @@ namespace MixedCracks
       // one file for each rank: needs no parallel file system
       name = data_out.write_vtu_with_pvtu_record(
         directory + "/fields/", "fields", step, fields.communicator(), 5, 0);
+      // the last part of a file is written when it is closed, and nobody looks
+      const std::string end  = "</VTKFile>\n";
+      const std::string path = directory + "/fields/";
+      const bool        is_first =
+        Utilities::MPI::this_mpi_process(fields.communicator()) == 0;
+      if (!ends_with(path + piece_of(name, fields.communicator()), end) ||
+          (is_first && !ends_with(path + name, end)))
+        failures = 1;
     }
     catch (const std::exception &)
     {
@@ -167,22 +188,26 @@ namespace MixedCracks
   void
   FieldOutput<dim>::write_collection() const
   {
-    if (Utilities::MPI::this_mpi_process(fields.communicator()) != 0)
-      return;
-    // the peak is written when the force has fallen: keep the list in order
-    std::vector<std::pair<double, std::string>> sorted;
-    for (const auto &record : times_and_names)
-      if (is_vtu(record.second))
-        sorted.push_back(record);
-    std::sort(sorted.begin(), sorted.end());
-    const std::string path = directory + "/fields.pvd";
+    std::string message;
+    if (Utilities::MPI::this_mpi_process(fields.communicator()) == 0)
     {
-      std::ofstream file(path + ".part");
-      DataOutBase::write_pvd_record(file, sorted);
+      // the peak is written when the force has fallen: keep the list in order
+      std::vector<std::pair<double, std::string>> sorted;
+      for (const auto &record : times_and_names)
+        if (is_vtu(record.second))
+          sorted.push_back(record);
+      std::sort(sorted.begin(), sorted.end());
+      std::ostringstream text;
+      DataOutBase::write_pvd_record(text, sorted);
+      // the old list stays until the new one is whole
+      message = write_durably(directory + "/fields.pvd", text.str());
     }
-    // the old list stays until the new one is whole
-    std::error_code error;
-    std::filesystem::rename(path + ".part", path, error);
+    throw_on_all_ranks(message.empty()
+                         ? ""
+                         : "Output/Directory: the list of fields cannot be "
+                           "written: " +
+                             message + '.',
+                       fields.communicator());
   }
 
 

@@ -39,8 +39,9 @@ namespace MixedCracks
     prm.add_parameter("Checkpoint every",
                       checkpoint_every,
                       "A checkpoint to continue from with --resume is written "
-                      "every so many accepted steps, and when the run is "
-                      "stopped on request; 0: only then. Unit: 1.",
+                      "every so many accepted steps, and of the last state "
+                      "whenever the run ends, for whatever reason; 0: only "
+                      "then. Unit: 1.",
                       Patterns::Integer(0));
     prm.add_parameter("Energy imbalance tolerance",
                       energy_imbalance_tolerance,

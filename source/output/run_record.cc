@@ -1,43 +1,153 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include <core/errors.h>
-
 #include <output/run_record.h>
+#include <output/text_archive.h>
 
-#include <fstream>
-#include <iomanip>
+#include <cmath>
 
 namespace MixedCracks
 {
+  template <typename T, typename Structure>
+  using IfIs =
+    std::enable_if_t<std::is_same_v<std::remove_const_t<T>, Structure>, int>;
+
+  // The bindings below name every member of a structure. Where one is added
+  // there, this no longer compiles until it is written and read here. They are
+  // found by the type of their argument, hence not in a namespace of their own.
+
+  template <typename Row, IfIs<Row, StatisticsRow> = 0>
+  static auto
+  members(Row &row)
+  {
+    auto &[step,
+           time,
+           displacement,
+           force,
+           elastic_energy,
+           crack_energy,
+           external_work,
+           min_phase_field,
+           phase_field_change,
+           newton_iterations,
+           linear_iterations,
+           active_set_size,
+           cells,
+           dofs,
+           wall_time,
+           coupling_iterations,
+           coupling_change,
+           factorizations,
+           rejected_steps,
+           refinements,
+           crack_volume,
+           point_displacements,
+           crack_surface] = row;
+    return std::tie(step,
+                    time,
+                    displacement,
+                    force,
+                    elastic_energy,
+                    crack_energy,
+                    external_work,
+                    min_phase_field,
+                    phase_field_change,
+                    newton_iterations,
+                    linear_iterations,
+                    active_set_size,
+                    cells,
+                    dofs,
+                    wall_time,
+                    coupling_iterations,
+                    coupling_change,
+                    factorizations,
+                    rejected_steps,
+                    refinements,
+                    crack_volume,
+                    point_displacements,
+                    crack_surface);
+  }
+
+
+
+  template <typename Totals, IfIs<Totals, RunTotals> = 0>
+  static auto
+  members(Totals &totals)
+  {
+    auto &[factorizations, solves, rejected_steps, wall_time, phases] = totals;
+    return std::tie(factorizations, solves, rejected_steps, wall_time, phases);
+  }
+
+
+
+  template <typename Record, IfIs<Record, RunRecord> = 0>
+  static auto
+  members(Record &record)
+  {
+    auto &[signature,
+           attempt,
+           end,
+           cell_size,
+           time,
+           time_step,
+           next_step,
+           peak_force,
+           external_work,
+           peak_step,
+           steps_to_wait,
+           n_refinements,
+           n_imbalanced_steps,
+           totals,
+           nuclei,
+           rows,
+           field_files] = record;
+    return std::tie(signature,
+                    attempt,
+                    end,
+                    cell_size,
+                    time,
+                    time_step,
+                    next_step,
+                    peak_force,
+                    external_work,
+                    peak_step,
+                    steps_to_wait,
+                    n_refinements,
+                    n_imbalanced_steps,
+                    totals,
+                    nuclei,
+                    rows,
+                    field_files);
+  }
+
+
+
   namespace
   {
-    // one member after the other, for reading and for writing alike
-    template <typename Row, typename Action>
     void
-    for_each_member(Row &row, const Action &action)
+    require(const bool condition, const std::string &what)
     {
-      action(row.step);
-      action(row.time);
-      action(row.displacement);
-      for (auto &component : row.force)
-        action(component);
-      action(row.elastic_energy);
-      action(row.crack_energy);
-      action(row.external_work);
-      action(row.min_phase_field);
-      action(row.phase_field_change);
-      action(row.newton_iterations);
-      action(row.linear_iterations);
-      action(row.active_set_size);
-      action(row.cells);
-      action(row.dofs);
-      action(row.wall_time);
-      action(row.coupling_iterations);
-      action(row.coupling_change);
-      action(row.factorizations);
-      action(row.rejected_steps);
-      action(row.refinements);
-      action(row.crack_volume);
-      action(row.crack_surface);
+      if (!condition)
+        throw FileError(what);
+    }
+
+
+
+    void
+    check(const RunRecord &record)
+    {
+      require(!record.rows.empty(), "it has no load steps");
+      for (std::size_t i = 0; i < record.rows.size(); ++i)
+        require(record.rows[i].step == i, "load steps are missing");
+      require(std::isfinite(record.time) && record.time >= 0. &&
+                std::isfinite(record.time_step) &&
+                std::isfinite(record.next_step) && record.next_step > 0. &&
+                std::isfinite(record.peak_force) &&
+                std::isfinite(record.external_work) &&
+                std::isfinite(record.cell_size) && record.cell_size > 0.,
+              "its times, steps or forces are none");
+      require(record.peak_step < record.rows.size(),
+              "its peak is at a step that is missing");
+      require(record.end >= RunEnd::none && record.end <= RunEnd::stopped,
+              "it ends for a reason that is none");
     }
   } // namespace
 
@@ -46,26 +156,8 @@ namespace MixedCracks
   void
   write_record(std::ostream &out, const RunRecord &record)
   {
-    out << std::setprecision(17) << std::quoted(record.signature) << '\n'
-        << record.cell_size << ' ' << record.time << ' ' << record.time_step
-        << ' ' << record.next_step << ' ' << record.peak_force << ' '
-        << record.external_work << ' ' << record.peak_step << ' '
-        << record.steps_to_wait << '\n'
-        << record.nuclei.size() << '\n';
-    for (const dealii::Point<2> &nucleus : record.nuclei)
-      out << nucleus[0] << ' ' << nucleus[1] << '\n';
-    out << record.rows.size() << '\n';
-    for (const StatisticsRow &row : record.rows)
-    {
-      for_each_member(row, [&](const auto &value) { out << value << ' '; });
-      out << row.point_displacements.size();
-      for (const double displacement : row.point_displacements)
-        out << ' ' << displacement;
-      out << '\n';
-    }
-    out << record.field_files.size() << '\n';
-    for (const auto &[time, name] : record.field_files)
-      out << time << ' ' << std::quoted(name) << '\n';
+    TextWriter writer(out);
+    writer(record);
   }
 
 
@@ -73,57 +165,10 @@ namespace MixedCracks
   RunRecord
   read_record(std::istream &in)
   {
-    RunRecord   record;
-    std::size_t n_nuclei = 0, n_rows = 0, n_files = 0;
-    in >> std::quoted(record.signature) >> record.cell_size >> record.time >>
-      record.time_step >> record.next_step >> record.peak_force >>
-      record.external_work >> record.peak_step >> record.steps_to_wait >>
-      n_nuclei;
-    for (std::size_t i = 0; in && i < n_nuclei; ++i)
-    {
-      dealii::Point<2> nucleus;
-      in >> nucleus[0] >> nucleus[1];
-      record.nuclei.push_back(nucleus);
-    }
-    in >> n_rows;
-    for (std::size_t i = 0; in && i < n_rows; ++i)
-    {
-      StatisticsRow row;
-      for_each_member(row, [&](auto &value) { in >> value; });
-      std::size_t n_displacements = 0;
-      in >> n_displacements;
-      for (std::size_t k = 0; in && k < n_displacements; ++k)
-      {
-        row.point_displacements.push_back(0.);
-        in >> row.point_displacements.back();
-      }
-      record.rows.push_back(row);
-    }
-    in >> n_files;
-    for (std::size_t i = 0; in && i < n_files; ++i)
-    {
-      std::pair<double, std::string> file;
-      in >> file.first >> std::quoted(file.second);
-      record.field_files.push_back(file);
-    }
-    if (!in)
-      throw FileError("--resume: the checkpoint cannot be read.");
+    RunRecord  record;
+    TextReader reader(in);
+    reader(record);
+    check(record);
     return record;
-  }
-
-
-
-  unsigned long long
-  file_checksum(const std::string &file_name)
-  {
-    std::ifstream      file(file_name, std::ios::binary);
-    unsigned long long sum = 14695981039346656037ULL;
-    if (!file)
-      return 0;
-    char buffer[65536];
-    while (file.read(buffer, sizeof(buffer)) || file.gcount() > 0)
-      for (std::streamsize i = 0; i < file.gcount(); ++i)
-        sum = (sum ^ static_cast<unsigned char>(buffer[i])) * 1099511628211ULL;
-    return sum;
   }
 } // namespace MixedCracks

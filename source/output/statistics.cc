@@ -31,7 +31,8 @@ namespace MixedCracks
     line(const StatisticsRow &row,
          const StatisticsRow &first,
          const int            dim,
-         const bool           with_crack_volume)
+         const bool           with_crack_volume,
+         const std::size_t    n_point_columns)
     {
       std::ostringstream out;
       out << std::setprecision(10) << row.step << ',' << row.time << ','
@@ -48,10 +49,17 @@ namespace MixedCracks
           << row.rejected_steps << ',' << row.refinements << ','
           << std::setprecision(10) << row.energy_imbalance(first) << ','
           << row.crack_surface;
+      // what was asked for later only is empty in the rows before
       if (with_crack_volume)
-        out << ',' << row.crack_volume;
-      for (const double displacement : row.point_displacements)
-        out << ',' << displacement;
+        out << ',';
+      if (with_crack_volume && !std::isnan(row.crack_volume))
+        out << row.crack_volume;
+      for (std::size_t i = 0; i < n_point_columns; ++i)
+      {
+        out << ',';
+        if (i < row.point_displacements.size())
+          out << row.point_displacements[i];
+      }
       out << '\n';
       return out.str();
     }
@@ -100,6 +108,7 @@ namespace MixedCracks
   {
     dim               = dimension;
     with_crack_volume = crack_volume;
+    n_point_columns   = point_columns.size();
     name              = file_name;
     std::string message;
     if (dealii::Utilities::MPI::this_mpi_process(communicator) == 0)
@@ -133,7 +142,8 @@ namespace MixedCracks
     std::string message;
     if (dealii::Utilities::MPI::this_mpi_process(communicator) == 0)
     {
-      file << line(row, table.front(), dim, with_crack_volume) << std::flush;
+      file << line(row, table.front(), dim, with_crack_volume, n_point_columns)
+           << std::flush;
       if (!file)
         message = "Output/Directory: '" + name +
                   "' cannot be written any more; is the disk full?";

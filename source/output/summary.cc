@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
+#include <output/disk.h>
 #include <output/summary.h>
 
 #include <algorithm>
-#include <cstdio>
-#include <fstream>
+#include <cmath>
 #include <iomanip>
 #include <sstream>
 
@@ -111,7 +111,7 @@ namespace MixedCracks
 
 
 
-  void
+  std::string
   write_summary(const std::string                &file_name,
                 const Summary                    &summary,
                 const std::vector<StatisticsRow> &rows)
@@ -136,7 +136,8 @@ namespace MixedCracks
     if (!rows.empty())
       json.add(crack_surface_name(summary.dimension),
                rows.back().crack_surface);
-    if (summary.with_crack_volume && !rows.empty())
+    if (summary.with_crack_volume && !rows.empty() &&
+        std::isfinite(rows.back().crack_volume))
       json.add("crack_volume_mm3", rows.back().crack_volume);
     json.raw("separated", summary.separated ? "true" : "false");
     json.add("outcome", summary.cracks.path);
@@ -156,11 +157,10 @@ namespace MixedCracks
     json.raw("warnings", "[" + warnings + "]");
 
     // a reader never sees half of it
-    const std::string unfinished = file_name + ".part";
-    {
-      std::ofstream file(unfinished);
-      file << json.str() << '\n';
-    }
-    std::rename(unfinished.c_str(), file_name.c_str());
+    const std::string problem = write_durably(file_name, json.str() + '\n');
+    return problem.empty()
+             ? ""
+             : "Output/Directory: the summary cannot be written: " + problem +
+                 '.';
   }
 } // namespace MixedCracks

@@ -3,6 +3,7 @@
 #include <core/log.h>
 
 #include <output/directory.h>
+#include <output/disk.h>
 #include <output/xdmf_output.h>
 
 #include <algorithm>
@@ -141,6 +142,36 @@ namespace MixedCracks
 
 
   template <int dim>
+  bool
+  XdmfOutput<dim>::has_room(const DataOutBase::DataOutFilter &data,
+                            const bool                        has_cells,
+                            const bool                        new_mesh,
+                            const std::string &solution_file) const
+  {
+    std::uint64_t numbers = 0, mesh = 0;
+    if (has_cells)
+    {
+      for (unsigned int i = 0; i < data.n_data_sets(); ++i)
+        numbers += std::uint64_t(data.n_nodes()) * data.get_data_set_dim(i);
+      mesh = std::uint64_t(data.n_nodes()) * dim * 8 +
+             std::uint64_t(data.n_cells()) *
+               GeometryInfo<dim>::vertices_per_cell * 4;
+    }
+    // of descriptions and alignment
+    const std::uint64_t          margin = 65536;
+    const std::vector<SizedFile> files  = {
+       {directory + "/" + solution_file + ".part",
+        Utilities::MPI::sum(8 * numbers, communicator) + margin},
+       {directory + "/" + mesh_file + ".part",
+       new_mesh ? Utilities::MPI::sum(mesh, communicator) + margin : 0}};
+    const bool has_room = Utilities::MPI::this_mpi_process(communicator) > 0 ||
+                          missing_space_for(files).empty();
+    return Utilities::MPI::min(has_room ? 1 : 0, communicator) == 1;
+  }
+
+
+
+  template <int dim>
   void
   XdmfOutput<dim>::write_hdf5(const DataOut<dim>               &data_out,
                               const DataOutBase::DataOutFilter &data,
@@ -162,8 +193,9 @@ namespace MixedCracks
     if (new_mesh)
       mesh_file =
         "fields/mesh" + solution_file.substr(std::strlen("fields/fields"));
-    int failures = 0;
-    if (has_cells)
+    // when the disk is full, some ranks stop and the others wait for them
+    int failures = has_room(data, has_cells, new_mesh, solution_file) ? 0 : 1;
+    if (has_cells && failures == 0)
     {
       try
       {
@@ -177,8 +209,9 @@ namespace MixedCracks
       {
         failures = 1;
       }
-      MPI_Comm_free(&writers);
     }
+    if (has_cells)
+      MPI_Comm_free(&writers);
     // any rank may be the one that failed, and the last to close the file
     failures = Utilities::MPI::max(failures, communicator);
     if (failures == 0 && Utilities::MPI::this_mpi_process(communicator) == 0)

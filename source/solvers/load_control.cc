@@ -165,9 +165,12 @@ namespace MixedCracks
     if (converged && phase_field_change <= bound)
     {
       time += time_step;
+      // one that the end time has cut says nothing of the natural step
+      if (time_step < natural)
+        time_step = natural;
       // a step that used little of the bound was easy; without a bound the
       // first step is the step, but for recovering from failures
-      if (parameters.largest_phase_field_change == 0.)
+      else if (parameters.largest_phase_field_change == 0.)
         time_step = std::min(2. * time_step, parameters.first_step);
       else if (phase_field_change < 0.3 * parameters.largest_phase_field_change)
       {
@@ -192,6 +195,7 @@ namespace MixedCracks
       return Verdict::give_up;
     else
       time_step = std::max(0.5 * time_step, parameters.smallest_step);
+    natural = time_step;
     return Verdict::repeat;
   }
 
@@ -217,6 +221,7 @@ namespace MixedCracks
   void
   LoadControl::limit_step()
   {
+    natural           = time_step;
     const double left = parameters.end_time - time;
     // no crumb of a step just before the end
     if (time_step > left || time_step > left - parameters.smallest_step)
@@ -231,9 +236,12 @@ namespace MixedCracks
                        const double       peak_force,
                        const unsigned int steps_to_wait)
   {
-    time = new_time;
-    // a run that had reached its end had no next step
-    time_step = step > 0. ? step : parameters.first_step;
+    // without a bound the first step is the largest one, too
+    const double largest = parameters.largest_phase_field_change == 0.
+                             ? parameters.first_step
+                             : parameters.largest_step;
+    time                 = new_time;
+    time_step = std::min(std::max(step, parameters.smallest_step), largest);
     peak      = peak_force;
     to_wait   = steps_to_wait;
     limit_step();

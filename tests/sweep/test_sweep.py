@@ -208,6 +208,18 @@ class Runs(Case):
         self.assertIn("bad: exit status 3", process.stdout)
         self.assertEqual(self.table()["bad"]["exit_status"], "3")
 
+    def test_a_column_that_is_empty_at_first(self):
+        sys.path.insert(0, os.path.join(ROOT, "scripts"))
+        from sweep_parts.table import statistics_of
+        with tempfile.TemporaryDirectory() as directory:
+            with open(os.path.join(directory, "statistics.csv"), "w",
+                      encoding="utf-8") as stream:
+                stream.write("step,force_y_N,crack_volume_mm3\n"
+                             "0,0,\n1,2.5,\n2,3.5,0.25\n")
+            rows = statistics_of(directory)
+        self.assertEqual([row["force_y_N"] for row in rows], [0., 2.5, 3.5])
+        self.assertEqual(rows[2]["crack_volume_mm3"], 0.25)
+
     def test_only_and_table_only(self):
         self.sweep(FILE, "--only", "plain")
         self.assertEqual(self.table()["first_1"]["exit_status"], "")

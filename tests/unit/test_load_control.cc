@@ -220,9 +220,52 @@ TEST(LoadControl, ContinuesFromACheckpoint)
   EXPECT_EQ(control.steps_to_wait(), 1u);
   control.restore(9.9, 0.25, 80., 0);
   EXPECT_DOUBLE_EQ(control.target_time(), 10.);
-  // written at an end time that has been put off since: there was no next step
-  control.restore(5., 0., 80., 0);
-  EXPECT_DOUBLE_EQ(control.target_time(), 5. + parameters().first_step);
+}
+
+
+
+TEST(LoadControl, KeepsTheStepThatTheEndTimeHasCut)
+{
+  LoadControl control(parameters());
+  control.restore(9.6, 0.8, 80., 0);
+  EXPECT_DOUBLE_EQ(control.step(), 10. - 9.6);
+  EXPECT_DOUBLE_EQ(control.natural_step(), 0.8);
+  EXPECT_EQ(control.judge(true, 0.2), Verdict::accept);
+  EXPECT_TRUE(control.at_end());
+  EXPECT_DOUBLE_EQ(control.natural_step(), 0.8);
+
+  // the end time is put off
+  LoadParameters later = parameters();
+  later.end_time       = 20.;
+  LoadControl extended(later);
+  extended.restore(10., control.natural_step(), 80., 0);
+  EXPECT_FALSE(extended.at_end());
+  EXPECT_DOUBLE_EQ(extended.step(), 0.8);
+
+  // what was refused was too long, with an end time or without
+  control.restore(9.6, 0.8, 80., 0);
+  EXPECT_EQ(control.judge(true, 0.9), Verdict::repeat);
+  EXPECT_NEAR(control.natural_step(), 0.2, 1e-12);
+}
+
+
+
+TEST(LoadControl, ContinuesWithTheStepsThatAreAllowedNow)
+{
+  LoadParameters shorter = parameters();
+  shorter.largest_step   = 0.5;
+  LoadControl control(shorter);
+  control.restore(4., 0.9, 80., 0);
+  EXPECT_DOUBLE_EQ(control.step(), 0.5);
+  control.restore(4., 1e-6, 80., 0);
+  EXPECT_DOUBLE_EQ(control.step(), shorter.smallest_step);
+
+  // without a bound on the phase field the first step is the step
+  shorter.largest_phase_field_change = 0.;
+  shorter.first_step                 = 0.25;
+  LoadControl fixed(shorter);
+  fixed.restore(4., 0.9, 80., 0);
+  EXPECT_DOUBLE_EQ(fixed.step(), 0.25);
 }
 
 

@@ -1,0 +1,264 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include <core/errors.h>
+
+#include <deal.II/base/mpi.h>
+
+#include <deal.II/grid/cell_id.h>
+
+#include <output/checkpoint_fields.h>
+#include <output/disk.h>
+
+#include <array>
+#include <cstring>
+#include <fstream>
+
+namespace MixedCracks
+{
+  using namespace dealii;
+
+  namespace
+  {
+    using Values = Vector<double>;
+
+    // before the values of all cells, and of each cell
+    constexpr std::uint64_t header_bytes = 8, status_bytes = 4;
+
+    // in the order in which they are written
+    template <typename AnyState>
+    auto
+    on_elastic_dofs(AnyState &state)
+    {
+      return std::array{&state.elastic, &state.reaction};
+    }
+
+    template <typename AnyState>
+    auto
+    on_phase_field_dofs(AnyState &state)
+    {
+      return std::array{&state.phase_field,
+                        &state.lagged_phase_field,
+                        &state.previous_phase_field};
+    }
+
+
+
+    template <int dim, std::size_t n>
+    char *
+    append(
+      const DoFHandler<dim>                              &dof_handler,
+      const std::array<const LinearAlgebra::Vector *, n> &vectors,
+      const typename parallel::distributed::Triangulation<dim>::cell_iterator
+           &triangulation_cell,
+      char *out)
+    {
+      const typename DoFHandler<dim>::cell_iterator cell(*triangulation_cell,
+                                                         &dof_handler);
+      Values local(dof_handler.get_fe().n_dofs_per_cell());
+      for (const LinearAlgebra::Vector *vector : vectors)
+      {
+        cell->get_dof_values(*vector, local);
+        std::memcpy(out, local.data(), local.size() * sizeof(double));
+        out += local.size() * sizeof(double);
+      }
+      return out;
+    }
+
+
+
+    // only what this rank owns: each value is at home on one of its cells
+    template <int dim, std::size_t n>
+    const char *
+    take(const DoFHandler<dim> &dof_handler,
+         const IndexSet        &owned,
+         const typename parallel::distributed::Triangulation<dim>::cell_iterator
+                                              &triangulation_cell,
+         const char                           *in,
+         std::array<LinearAlgebra::Vector, n> &vectors)
+    {
+      const typename DoFHandler<dim>::cell_iterator cell(*triangulation_cell,
+                                                         &dof_handler);
+      std::vector<types::global_dof_index>          dofs(
+        dof_handler.get_fe().n_dofs_per_cell());
+      cell->get_dof_indices(dofs);
+      for (LinearAlgebra::Vector &vector : vectors)
+        for (const types::global_dof_index dof : dofs)
+        {
+          double value;
+          std::memcpy(&value, in, sizeof(value));
+          in += sizeof(value);
+          if (owned.is_element(dof))
+            vector(dof) = value;
+        }
+      return in;
+    }
+
+
+
+    template <std::size_t n>
+    void
+    spread(std::array<LinearAlgebra::Vector, n>         &owned,
+           const LinearAlgebra::Vector                  &with_ghosts,
+           const std::array<LinearAlgebra::Vector *, n> &vectors)
+    {
+      for (std::size_t i = 0; i < n; ++i)
+      {
+        owned[i].compress(VectorOperation::insert);
+        *vectors[i] = with_ghosts;
+        // constant, since a temporary would be moved and take the ghosts away
+        const LinearAlgebra::Vector &values = owned[i];
+        *vectors[i]                         = values;
+      }
+    }
+  } // namespace
+
+
+
+  template <int dim>
+  std::uint64_t
+  checkpoint_bytes_per_cell(const Fields<dim> &fields)
+  {
+    State dummy;
+    return sizeof(double) * (on_elastic_dofs(dummy).size() *
+                               fields.elastic.get_fe().n_dofs_per_cell() +
+                             on_phase_field_dofs(dummy).size() *
+                               fields.phase_field.get_fe().n_dofs_per_cell());
+  }
+
+
+
+  std::uint64_t
+  size_of_values(const FieldsOnDisk &on_disk)
+  {
+    return header_bytes +
+           on_disk.cells * (status_bytes + on_disk.bytes_per_cell);
+  }
+
+
+
+  template <int dim>
+  CheckpointFields<dim>::CheckpointFields(const Fields<dim> &fields)
+    : fields(fields)
+  {}
+
+
+
+  template <int dim>
+  std::vector<char>
+  CheckpointFields<dim>::values(const State        &state,
+                                const CellIterator &cell) const
+  {
+    std::vector<char> bytes(checkpoint_bytes_per_cell(fields));
+    char             *out =
+      append(fields.elastic, on_elastic_dofs(state), cell, bytes.data());
+    append(fields.phase_field, on_phase_field_dofs(state), cell, out);
+    return bytes;
+  }
+
+
+
+  template <int dim>
+  FieldsOnDisk
+  CheckpointFields<dim>::save(const State       &state,
+                              Triangulation     &triangulation,
+                              const std::string &path) const
+  {
+    FieldsOnDisk written;
+    written.cells          = triangulation.n_global_active_cells();
+    written.bytes_per_cell = checkpoint_bytes_per_cell(fields);
+    std::uint64_t sum      = 0;
+    triangulation.register_data_attach(
+      [&](const CellIterator &cell, const auto &) {
+        std::vector<char> bytes = values(state, cell);
+        sum += checksum(bytes.data(), bytes.data() + bytes.size());
+        return bytes;
+      },
+      /*returns_variable_size_data=*/false);
+    triangulation.save(path);
+    written.sum = Utilities::MPI::sum(sum, fields.communicator());
+    return written;
+  }
+
+
+
+  template <int dim>
+  void
+  CheckpointFields<dim>::load(const FieldsOnDisk &expected,
+                              Triangulation      &triangulation,
+                              State              &state) const
+  {
+    using Vector                  = LinearAlgebra::Vector;
+    const Vector          elastic = fields.owned_vector(fields.elastic_dofs);
+    const Vector          phase = fields.owned_vector(fields.phase_field_dofs);
+    std::array<Vector, 2> on_elastic{elastic, elastic};
+    std::array<Vector, 3> on_phase_field{phase, phase, phase};
+    std::uint64_t         sum = 0;
+
+    const unsigned int handle = triangulation.register_data_attach(
+      [&](const CellIterator &cell, const auto &) {
+        return values(state, cell);
+      },
+      /*returns_variable_size_data=*/false);
+    triangulation.notify_ready_to_unpack(
+      handle, [&](const CellIterator &cell, const auto &, const auto &range) {
+        const std::vector<char> bytes(range.begin(), range.end());
+        if (bytes.size() != expected.bytes_per_cell)
+          return;
+        sum += checksum(bytes.data(), bytes.data() + bytes.size());
+        const char *in = take(fields.elastic,
+                              fields.elastic_dofs.owned,
+                              cell,
+                              bytes.data(),
+                              on_elastic);
+        take(fields.phase_field,
+             fields.phase_field_dofs.owned,
+             cell,
+             in,
+             on_phase_field);
+      });
+    if (Utilities::MPI::sum(sum, fields.communicator()) != expected.sum)
+      throw FileError("the values of the fields are not those that were "
+                      "written");
+    spread(on_elastic,
+           fields.ghosted_vector(fields.elastic_dofs),
+           on_elastic_dofs(state));
+    spread(on_phase_field,
+           fields.ghosted_vector(fields.phase_field_dofs),
+           on_phase_field_dofs(state));
+  }
+
+
+
+  FieldsOnDisk
+  read_back(const std::string  &file_name,
+            const FieldsOnDisk &expected,
+            const MPI_Comm      communicator)
+  {
+    const std::uint64_t rank  = Utilities::MPI::this_mpi_process(communicator);
+    const std::uint64_t n     = Utilities::MPI::n_mpi_processes(communicator);
+    const std::uint64_t begin = expected.cells * rank / n;
+    const std::uint64_t end   = expected.cells * (rank + 1) / n;
+    const std::uint64_t block = status_bytes + expected.bytes_per_cell;
+    std::ifstream       file(file_name, std::ios::binary);
+    file.seekg(static_cast<std::streamoff>(header_bytes + begin * block));
+    std::vector<char> bytes(block);
+    std::uint64_t     sum = 0, cells = 0;
+    for (std::uint64_t cell = begin; cell < end; ++cell)
+    {
+      if (!file.read(bytes.data(), static_cast<std::streamsize>(block)))
+        break;
+      sum += checksum(bytes.data() + status_bytes, bytes.data() + block);
+      ++cells;
+    }
+    FieldsOnDisk found = expected;
+    found.sum          = Utilities::MPI::sum(sum, communicator);
+    found.cells        = Utilities::MPI::sum(cells, communicator);
+    return found;
+  }
+
+
+
+  template class CheckpointFields<2>;
+  template class CheckpointFields<3>;
+  template std::uint64_t checkpoint_bytes_per_cell(const Fields<2> &);
+  template std::uint64_t checkpoint_bytes_per_cell(const Fields<3> &);
+} // namespace MixedCracks

@@ -1,0 +1,233 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include <core/errors.h>
+
+#include <output/checkpoint_seal.h>
+#include <output/disk.h>
+#include <output/text_archive.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+
+namespace MixedCracks
+{
+  namespace
+  {
+    const std::string seal_name   = "/seal.txt";
+    const std::string record_name = "/record.txt";
+    const std::string values_name = "mesh_fixed.data";
+
+    // the words of the first line, before the number
+    const std::string title = "mixed-cracks checkpoint, format";
+
+    std::string
+    first_line()
+    {
+      return title + ' ' + std::to_string(checkpoint_format) + '\n';
+    }
+
+
+
+    // 0 for something else
+    unsigned int
+    read_title(std::istream &in)
+    {
+      std::istringstream expected(title);
+      std::string        word, found;
+      while (expected >> word)
+        if (!(in >> found) || found != word)
+          return 0;
+      unsigned int format = 0;
+      return in >> format ? format : 0;
+    }
+
+
+
+    // the first format began with the step and went on with names
+    bool
+    is_seal_without_format(std::istream &in)
+    {
+      unsigned int      step = 0;
+      std::string       name;
+      unsigned long int sum = 0;
+      return in >> step >> name >> sum && name == "mesh";
+    }
+
+
+
+    void
+    require(const bool condition, const std::string &what)
+    {
+      if (!condition)
+        throw FileError(what);
+    }
+
+
+
+    FileOnDisk
+    described(const std::string &path, const std::string &name)
+    {
+      FileOnDisk file;
+      file.name     = name;
+      file.size     = static_cast<std::uint64_t>(size_of_file(path));
+      file.checksum = file_checksum(path);
+      return file;
+    }
+
+
+
+    void
+    require_as_written(const std::string &directory, const FileOnDisk &file)
+    {
+      const std::string  path = directory + '/' + file.name;
+      const std::int64_t size = size_of_file(path);
+      require(size >= 0, "'" + file.name + "' is missing");
+      require(static_cast<std::uint64_t>(size) == file.size,
+              "'" + file.name + "' has " + std::to_string(size) +
+                " bytes, and " + std::to_string(file.size) + " were written");
+      require(file_checksum(path) == file.checksum,
+              "'" + file.name + "' is not what was written");
+    }
+  } // namespace
+
+
+
+  // found by the type of their argument, hence not in a namespace of their own
+  template <typename T, typename Structure>
+  using IfIs =
+    std::enable_if_t<std::is_same_v<std::remove_const_t<T>, Structure>, int>;
+
+  template <typename File, IfIs<File, FileOnDisk> = 0>
+  static auto
+  members(File &file)
+  {
+    auto &[name, size, checksum] = file;
+    return std::tie(name, size, checksum);
+  }
+
+  template <typename Values, IfIs<Values, FieldsOnDisk> = 0>
+  static auto
+  members(Values &values)
+  {
+    auto &[cells, bytes_per_cell, sum] = values;
+    return std::tie(cells, bytes_per_cell, sum);
+  }
+
+  template <typename Contents, IfIs<Contents, ContentsOnDisk> = 0>
+  static auto
+  members(Contents &contents)
+  {
+    auto &[fields, mesh_checksum, files] = contents;
+    return std::tie(fields, mesh_checksum, files);
+  }
+
+
+
+  Seal
+  read_seal(const std::string &directory)
+  {
+    const std::string  text = contents_of_file(directory + seal_name);
+    std::istringstream in(text), old(text);
+    Seal               seal;
+    seal.format = read_title(in);
+    if (is_seal_without_format(old))
+      seal.format = 1;
+    if (seal.format != checkpoint_format)
+      return seal;
+    std::string word;
+    seal.record.name = record_name.substr(1);
+    in >> word >> seal.number >> word >> seal.step >> word >>
+      seal.record.size >> seal.record.checksum;
+    return in ? seal : Seal();
+  }
+
+
+
+  std::vector<FileOnDisk>
+  files_of_libraries(const std::string &directory)
+  {
+    std::vector<FileOnDisk> files;
+    for (const auto &entry : std::filesystem::directory_iterator(directory))
+    {
+      const std::string name = '/' + entry.path().filename().string();
+      if (name != seal_name && name != record_name)
+        files.push_back(described(entry.path().string(), name.substr(1)));
+    }
+    std::sort(files.begin(), files.end(), [](const auto &a, const auto &b) {
+      return a.name < b.name;
+    });
+    return files;
+  }
+
+
+
+  void
+  write_seal(const std::string      &directory,
+             const ContentsOnDisk   &contents,
+             const std::string      &run,
+             const unsigned long int number,
+             const unsigned int      step)
+  {
+    std::ostringstream record, seal;
+    record << first_line();
+    TextWriter writer(record);
+    writer(contents);
+    record << '\n' << run;
+    const std::string text    = record.str();
+    std::string       problem = write_durably(directory + record_name, text);
+    const auto        sum = checksum(text.data(), text.data() + text.size());
+    seal << first_line() << "number " << number << "\nstep " << step
+         << "\nrecord " << text.size() << ' ' << sum << '\n';
+    if (problem.empty())
+      problem = sync_to_disk(directory + record_name);
+    if (problem.empty() && file_checksum(directory + record_name) != sum)
+      problem = "'" + directory + record_name + "' is not what was written";
+    if (problem.empty())
+      problem = write_durably(directory + seal_name, seal.str());
+    require(problem.empty(), problem);
+  }
+
+
+
+  SealedRecord
+  split_record(const std::string &text)
+  {
+    std::istringstream in(text);
+    require(read_title(in) == checkpoint_format,
+            "its record is of another format than its seal");
+    SealedRecord record;
+    TextReader   reader(in);
+    reader(record.contents);
+    std::ostringstream rest;
+    rest << in.rdbuf();
+    record.run = rest.str();
+    return record;
+  }
+
+
+
+  SealedRecord
+  read_sealed(const std::string &directory)
+  {
+    const Seal seal = read_seal(directory);
+    require(seal.format == checkpoint_format, "it is not sealed");
+    require_as_written(directory, seal.record);
+    const SealedRecord record =
+      split_record(contents_of_file(directory + record_name));
+    const ContentsOnDisk &contents   = record.contents;
+    bool                  has_values = false, has_mesh = false;
+    for (const FileOnDisk &file : contents.files)
+    {
+      require_as_written(directory, file);
+      has_mesh   = has_mesh || file.name == "mesh";
+      has_values = has_values || (file.name == values_name &&
+                                  file.size == size_of_values(contents.fields));
+    }
+    require(has_mesh, "'mesh' is not recorded");
+    require(has_values,
+            "'" + values_name + "' has not the size of the values of " +
+              std::to_string(contents.fields.cells) + " cells");
+    return record;
+  }
+} // namespace MixedCracks

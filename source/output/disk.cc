@@ -1,0 +1,219 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include <output/disk.h>
+
+#include <cerrno>
+#include <csignal>
+#include <cstdio>
+#include <cstring>
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+namespace MixedCracks
+{
+  namespace
+  {
+    constexpr std::uint64_t fnv_basis = 14695981039346656037ULL;
+    constexpr std::uint64_t fnv_prime = 1099511628211ULL;
+
+    std::uint64_t
+    continued(std::uint64_t sum, const char *begin, const char *const end)
+    {
+      for (; begin != end; ++begin)
+        sum = (sum ^ static_cast<unsigned char>(*begin)) * fnv_prime;
+      return sum;
+    }
+
+
+
+    // an open file that closes itself
+    class Descriptor
+    {
+    public:
+      Descriptor(const std::string &path, const int flags)
+        : number(open(path.c_str(), flags | O_CLOEXEC, 0666))
+      {}
+
+      Descriptor(const Descriptor &) = delete;
+
+      ~Descriptor()
+      {
+        if (number >= 0)
+          close(number);
+      }
+
+      const int number;
+    };
+
+
+
+    // 0, or what is wrong
+    int
+    write_all(const int file, const std::string &text)
+    {
+      std::size_t done = 0;
+      while (done < text.size())
+      {
+        const ssize_t written =
+          ::write(file, text.data() + done, text.size() - done);
+        if (written < 0 && errno == EINTR)
+          continue;
+        if (written <= 0)
+          return written < 0 ? errno : ENOSPC;
+        done += static_cast<std::size_t>(written);
+      }
+      return fsync(file) == 0 ? 0 : errno;
+    }
+
+
+
+    std::string
+    message(const std::string &path, const int error)
+    {
+      return "'" + path + "': " + std::strerror(error);
+    }
+  } // namespace
+
+
+
+  void
+  survive_file_size_limit()
+  {
+    std::signal(SIGXFSZ, SIG_IGN);
+  }
+
+
+
+  std::string
+  missing_space_for(const std::vector<SizedFile> &files)
+  {
+    std::string problem;
+    for (const SizedFile &file : files)
+    {
+      const std::string path = file.path + ".reserved";
+      const Descriptor  reserved(path, O_WRONLY | O_CREAT | O_TRUNC);
+      int               error = reserved.number < 0 ? errno : 0;
+      if (error == 0 && file.size > 0)
+        do
+          error =
+            posix_fallocate(reserved.number, 0, static_cast<off_t>(file.size));
+        while (error == EINTR);
+      if (error != 0)
+      {
+        problem = message(file.path, error) + ", where " +
+                  std::to_string(file.size) + " bytes are to be written";
+        break;
+      }
+    }
+    for (const SizedFile &file : files)
+      unlink((file.path + ".reserved").c_str());
+    return problem;
+  }
+
+
+
+  std::string
+  write_durably(const std::string &path, const std::string &text)
+  {
+    const std::string unfinished = path + ".part";
+    int               error      = 0;
+    {
+      const Descriptor file(unfinished, O_WRONLY | O_CREAT | O_TRUNC);
+      error = file.number < 0 ? errno : write_all(file.number, text);
+    }
+    if (error == 0 && std::rename(unfinished.c_str(), path.c_str()) != 0)
+      error = errno;
+    if (error != 0)
+    {
+      unlink(unfinished.c_str());
+      return message(path, error);
+    }
+    return sync_directory(std::filesystem::path(path).parent_path().string());
+  }
+
+
+
+  std::string
+  sync_to_disk(const std::string &path)
+  {
+    const Descriptor file(path, O_RDONLY);
+    if (file.number < 0 || fsync(file.number) != 0)
+      return message(path, errno);
+    posix_fadvise(file.number, 0, 0, POSIX_FADV_DONTNEED); // a hint
+    return "";
+  }
+
+
+
+  std::string
+  sync_directory(const std::string &path)
+  {
+    const Descriptor directory(path.empty() ? "." : path,
+                               O_RDONLY | O_DIRECTORY);
+    if (directory.number < 0)
+      return message(path, errno);
+    // some file systems have nothing to do there, and say so
+    if (fsync(directory.number) != 0 && errno != EINVAL)
+      return message(path, errno);
+    return "";
+  }
+
+
+
+  std::int64_t
+  size_of_file(const std::string &path)
+  {
+    struct stat status;
+    if (stat(path.c_str(), &status) != 0 || !S_ISREG(status.st_mode))
+      return -1;
+    return status.st_size;
+  }
+
+
+
+  bool
+  ends_with(const std::string &path, const std::string &ending)
+  {
+    std::ifstream file(path, std::ios::binary);
+    std::string   found(ending.size(), '\0');
+    file.seekg(-static_cast<std::streamoff>(ending.size()), std::ios::end);
+    return file.read(&found[0], static_cast<std::streamsize>(found.size())) &&
+           found == ending;
+  }
+
+
+
+  std::string
+  contents_of_file(const std::string &path)
+  {
+    std::ifstream      file(path, std::ios::binary);
+    std::ostringstream all;
+    all << file.rdbuf();
+    return all.str();
+  }
+
+
+
+  std::uint64_t
+  checksum(const char *const begin, const char *const end)
+  {
+    return continued(fnv_basis, begin, end);
+  }
+
+
+
+  std::uint64_t
+  file_checksum(const std::string &path)
+  {
+    std::ifstream file(path, std::ios::binary);
+    std::uint64_t sum = fnv_basis;
+    char          buffer[65536];
+    while (file.read(buffer, sizeof(buffer)) || file.gcount() > 0)
+      sum = continued(sum, buffer, buffer + file.gcount());
+    return sum;
+  }
+} // namespace MixedCracks

@@ -1,0 +1,89 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""Short runs for the tests on checkpoints: a slit square that is torn apart in
+some ten load steps."""
+
+import csv
+import json
+import os
+import pathlib
+import re
+import subprocess
+
+ROOT = pathlib.Path(__file__).resolve().parents[2]
+CASE = ROOT / "tests" / "regression" / "slit_square_at2.prm"
+QUICK = ["Geometry/Slit square/Slit height=0.5",
+         "Geometry/Slit square/Cell size=0.125", "Output/Field format=none"]
+# what depends on the machine, or on how often factors were at hand
+NOT_COMPARED = {"wall_time_s", "factorizations", "newton_iterations",
+                "energy_imbalance_mJ", "linear_iterations", "coupling_change",
+                "rejected_steps"}
+NOT_OF_THE_RESULT = {"ranks", "seconds_per_phase", "wall_time_s",
+                     "factorizations", "newton_iterations", "rejected_steps"}
+
+
+def environment():
+    return dict(os.environ, OMPI_ALLOW_RUN_AS_ROOT="1", OMP_NUM_THREADS="1",
+                OMPI_ALLOW_RUN_AS_ROOT_CONFIRM="1",
+                OMPI_MCA_rmaps_base_oversubscribe="1",
+                OMPI_MCA_hwloc_base_binding_policy="none",
+                OMPI_MCA_btl_vader_single_copy_mechanism="none")
+
+
+class Runner:
+    """Runs EXECUTABLE under LAUNCHER ("mpirun")."""
+
+    def __init__(self, executable, launcher):
+        self.executable, self.launcher = executable, launcher
+
+    def command(self, directory, *options, settings=(), ranks=1):
+        command = [*self.launcher, "-n", str(ranks), self.executable, str(CASE),
+                   "--output", str(directory), *options]
+        for setting in (*QUICK, *settings):
+            command += ["--set", setting]
+        return command
+
+    def __call__(self, directory, *options, settings=(), ranks=1, status=0):
+        result = subprocess.run(
+            self.command(directory, *options, settings=settings, ranks=ranks),
+            stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True,
+            timeout=300, env=environment(), check=False)
+        assert result.returncode == status, (result.returncode, result.stdout)
+        return result.stdout
+
+
+def rows(directory):
+    with open(directory / "statistics.csv", encoding="utf-8") as file:
+        return list(csv.DictReader(file))
+
+
+def summary(directory):
+    return json.loads((directory / "summary.json").read_text())
+
+
+def result(directory):
+    """What summary.json says of the calculation, not of its cost."""
+    return {key: value for key, value in summary(directory).items()
+            if key not in NOT_OF_THE_RESULT}
+
+
+def same_rows(found, expected, tolerance=1e-5):
+    """Equal but for @p tolerance, relative to the largest value of a column."""
+    assert len(found) == len(expected), (len(found), len(expected))
+    for name in set(expected[0]) - NOT_COMPARED:
+        largest = max(abs(float(row[name])) for row in expected)
+        for one, other in zip(found, expected):
+            a, b = float(one[name]), float(other[name])
+            assert abs(a - b) <= tolerance * largest, (name, a, b)
+
+
+def errors_in(text):
+    return re.findall(r"^mixed-cracks: (?:internal )?error: .*$", text, re.M)
+
+
+def generations(directory):
+    """Folders of the checkpoints, the newest first."""
+    def number(folder):
+        words = (folder / "seal.txt").read_text().split()
+        return int(words[words.index("number") + 1])
+    return sorted((directory / "checkpoint").glob("generation-*"), key=number,
+                  reverse=True)

@@ -1,0 +1,152 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""A checkpoint that is not what was written is refused, or the one before it
+serves; and it never ends in anything but one message and exit status 4.
+
+usage: test_checkpoint.py EXECUTABLE MPIRUN
+"""
+
+import pathlib
+import re
+import shutil
+import sys
+import tempfile
+
+from runs import Runner, errors_in, generations, rows
+
+SHORT = ["Load stepping/End time=4e-3", "Output/Checkpoint every=1"]
+
+
+def checksum(data):
+    """FNV-1a, 64 bits."""
+    value = 14695981039346656037
+    for byte in data:
+        value = ((value ^ byte) * 1099511628211) % 2 ** 64
+    return value
+
+
+def seal_again(folder):
+    """Let record and seal say that the files are as they should be."""
+    record = folder / "record.txt"
+    text = record.read_text()
+    for path in folder.iterdir():
+        if path.name in ("record.txt", "seal.txt"):
+            continue
+        data = path.read_bytes()
+        text, n = re.subn(r'"%s" \d+ \d+ ' % re.escape(path.name),
+                          '"%s" %d %d ' % (path.name, len(data), checksum(data)),
+                          text)
+        assert n == 1, (path.name, text[:500])
+    record.write_text(text)
+    data = record.read_bytes()
+    seal = folder / "seal.txt"
+    seal.write_text(re.sub(r"record \d+ \d+",
+                           "record %d %d" % (len(data), checksum(data)),
+                           seal.read_text()))
+
+
+def cut(folder):
+    path = folder / "mesh_fixed.data"
+    path.write_bytes(path.read_bytes()[:-200])
+
+
+def cut_mesh(folder):
+    path = folder / "mesh"
+    path.write_bytes(path.read_bytes()[:-60])
+
+
+def lengthen(folder):
+    with open(folder / "mesh_fixed.data", "ab") as file:
+        file.write(bytes(200))
+
+
+def other_values(folder):
+    path = folder / "mesh_fixed.data"
+    data = bytearray(path.read_bytes())
+    data[len(data) // 2] ^= 0x40
+    path.write_bytes(data)
+
+
+def no_rows(folder):
+    path = folder / "record.txt"
+    text, n = re.subn(r"\n\d+\n0 0 .*?\n(?=\d+\n)", "\n0\n",
+                      path.read_text(), flags=re.S)
+    assert n == 1, path.read_text()
+    path.write_text(text)
+
+
+def without(name):
+    def remove(folder):
+        (folder / name).unlink()
+    remove.__name__ = "without " + name
+    return remove
+
+
+def nonsense(folder):
+    path = folder / "record.txt"
+    path.write_text(path.read_text()[:400] + "# ?")
+
+
+def other_format(number):
+    def change(folder):
+        seal = folder / "seal.txt"
+        text = seal.read_text()
+        assert "format 2" in text, text
+        seal.write_text(text.replace("format 2", "format %d" % number))
+    change.__name__ = "format %d" % number
+    return change
+
+
+def first_format(folder):
+    (folder / "seal.txt").write_text("3\nmesh 12\nmesh.info 34\n")
+
+
+def refused(run, whole, spoil, sealed, says, ranks):
+    directory = whole.with_name("spoilt")
+    shutil.copytree(whole, directory)
+    for folder in generations(directory):
+        spoil(folder)
+        if sealed:
+            seal_again(folder)
+    before = (directory / "summary.json").read_text()
+    out = run(directory, "--resume", settings=SHORT, status=4, ranks=ranks)
+    assert len(errors_in(out)) == 1 and says in out, (spoil.__name__, out)
+    assert "Signal" not in out and "terminate called" not in out, out
+    assert (directory / "summary.json").read_text() == before
+    shutil.rmtree(directory)
+
+
+def main():
+    run = Runner(sys.argv[1], sys.argv[2:])
+    with tempfile.TemporaryDirectory() as temporary:
+        whole = pathlib.Path(temporary) / "whole"
+        out = run(whole, settings=SHORT)
+        size = re.search(r"^checkpoint: about ([0-9.]+) MB", out, re.M)
+        newest, older = generations(whole)
+        found = 1e-6 * sum(path.stat().st_size for path in newest.iterdir())
+        print("a checkpoint of %.4f MB, said to be %s" % (found, size[1]))
+        assert 0.8 * found < float(size[1]) < 1.6 * found, (found, size[1])
+
+        sealed = [(cut, "mesh_fixed.data"), (cut_mesh, "the mesh of the checkpoint"),
+                  (lengthen, "mesh_fixed.data"), (other_values, "values"),
+                  (no_rows, "no load steps"), (nonsense, "no whole checkpoint")]
+        unsealed = [(cut, "mesh_fixed.data"), (nonsense, "no whole checkpoint"),
+                    (without("mesh"), "'mesh' is missing"),
+                    (without("mesh.info"), "'mesh.info' is missing"),
+                    (without("mesh_fixed.data"), "'mesh_fixed.data' is missing"),
+                    (without("record.txt"), "'record.txt' is missing"),
+                    (other_format(3), "checkpoint format 3, this program reads 2"),
+                    (first_format, "checkpoint format 1, this program reads 2")]
+        for cases, is_sealed in ((sealed, True), (unsealed, False)):
+            for number, (spoil, says) in enumerate(cases):
+                print(spoil.__name__, is_sealed, flush=True)
+                refused(run, whole, spoil, is_sealed, says, 1 + number % 2)
+
+        # the one before serves where it is whole
+        cut(newest)
+        out = run(whole, "--resume", settings=SHORT, ranks=2)
+        assert "resumed at step %d" % (len(rows(whole)) - 2) in out, out
+
+
+if __name__ == "__main__":
+    main()
