@@ -66,6 +66,9 @@ namespace MixedCracks
     out << record.field_files.size() << '\n';
     for (const auto &[time, name] : record.field_files)
       out << time << ' ' << std::quoted(name) << '\n';
+    out << record.tables.size() << '\n';
+    for (const auto &[name, text] : record.tables)
+      out << std::quoted(name) << ' ' << std::quoted(text) << '\n';
   }
 
 
@@ -74,7 +77,7 @@ namespace MixedCracks
   read_record(std::istream &in)
   {
     RunRecord   record;
-    std::size_t n_nuclei = 0, n_rows = 0, n_files = 0;
+    std::size_t n_nuclei = 0, n_rows = 0, n_files = 0, n_tables = 0;
     in >> std::quoted(record.signature) >> record.cell_size >> record.time >>
       record.time_step >> record.next_step >> record.peak_force >>
       record.external_work >> record.peak_step >> record.steps_to_wait >>
@@ -105,6 +108,13 @@ namespace MixedCracks
       std::pair<double, std::string> file;
       in >> file.first >> std::quoted(file.second);
       record.field_files.push_back(file);
+    }
+    in >> n_tables;
+    for (std::size_t i = 0; in && i < n_tables; ++i)
+    {
+      std::string name;
+      in >> std::quoted(name);
+      in >> std::quoted(record.tables[name]);
     }
     if (!in)
       throw FileError("--resume: the checkpoint cannot be read.");

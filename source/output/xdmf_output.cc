@@ -3,6 +3,7 @@
 #include <core/log.h>
 
 #include <output/directory.h>
+#include <output/run_files.h>
 #include <output/xdmf_output.h>
 
 #include <algorithm>
@@ -163,6 +164,13 @@ namespace MixedCracks
       mesh_file =
         "fields/mesh" + solution_file.substr(std::strlen("fields/fields"));
     int failures = 0;
+    if (Utilities::MPI::this_mpi_process(communicator) == 0)
+    {
+      std::vector<std::string> names = {solution_file, solution_file + ".part"};
+      if (new_mesh)
+        names.insert(names.end(), {mesh_file, mesh_file + ".part"});
+      failures = note_run_files(directory, names) ? 0 : 1;
+    }
     if (has_cells)
     {
       try
