@@ -169,6 +169,11 @@ def main():
     except (studies.StudyError, OSError) as error:
         print("study.py: %s" % error, file=sys.stderr)
         return 2
+    except Exception as error:  # whatever the files hold, no trace of the inside
+        print("study.py: %s cannot be drawn (%s: %s)"
+              % (arguments.kind, type(error).__name__,
+                 " ".join(str(error).split())[:300]), file=sys.stderr)
+        return 2
     if text is None:
         print(arguments.output)
     else:

@@ -76,7 +76,17 @@ namespace MixedCracks
     /// Refine around the places; the states are carried over.
     void refine(State &accepted, State &trial);
 
-    void prepare_output(ExistingRun existing);
+    /// Refuse a directory that must not be written into, and prepare one that
+    /// is free at once: there is nothing to lose.
+    void inspect_output(ExistingRun existing);
+
+    /// Open the files of the run unless they are open. An earlier run that is
+    /// to be replaced or continued is left as it is until then: until nothing
+    /// of the input can be refused any more.
+    void prepare_output();
+
+    /// That of a resumed run, or the initial one.
+    State first_state();
 
     State initial_state();
 
@@ -107,11 +117,20 @@ namespace MixedCracks
     /// and correct it, until nothing is left to refine.
     StepOutcome solve_step(State &accepted, State &trial, double bound);
 
-    void
-    record(const State &before, const State &state, const StepOutcome &outcome);
+    /// What a step has come to; nothing is kept of it.
+    StatisticsRow measure(const State       &before,
+                          const State       &state,
+                          const StepOutcome &outcome);
 
-    /// What is measured of open cracks.
-    void record_opening(const State &state, StatisticsRow &row);
+    /// What of a state and its row is no finite number, in words; empty when
+    /// all of it is.
+    std::string not_finite(const State &state, const StatisticsRow &row) const;
+
+    /// Of an accepted step.
+    void record(const StatisticsRow &row, const State &state);
+
+    /// Along the lines that are given.
+    void record_opening(const State &state, const StatisticsRow &row);
 
     void write_fields(const State &state, unsigned int step);
 
@@ -177,13 +196,16 @@ namespace MixedCracks
     RunTotals                earlier;           // pieces of the run
     bool                     had_ended = false; // before it was resumed
     State                    peak_state; // its fields; without a reaction
-    unsigned int             peak_step          = 0;
-    RunEnd                   run_end            = RunEnd::none;
+    unsigned int             peak_step = 0;
+    RunEnd                   run_end   = RunEnd::none;
+    std::string              why_failed; // behind the words for the end
     unsigned int             n_refinements      = 0; // of the mesh, in all
     unsigned int             n_imbalanced_steps = 0;
     std::string              case_in_words;
     std::string              linear_solver_in_words;
     std::vector<std::string> warnings;
+
+    std::optional<ExistingRun> waiting_output; // see prepare_output()
   };
 } // namespace MixedCracks
 

@@ -13,6 +13,7 @@
 #include <output/run_totals.h>
 #include <output/statistics.h>
 
+#include <map>
 #include <string>
 #include <utility>
 #include <vector>
@@ -43,6 +44,10 @@ namespace MixedCracks
     std::vector<dealii::Point<2>>               nuclei;
     std::vector<StatisticsRow>                  rows;
     std::vector<std::pair<double, std::string>> field_files;
+
+    /// CSV files whose rows belong to the state, by name, as far as they have
+    /// come; when they are written, rank 0 alone knows them
+    std::map<std::string, std::string> tables;
   };
 
   /// The state written down, in two generations so that one of them is whole

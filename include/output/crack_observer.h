@@ -30,9 +30,10 @@ namespace MixedCracks
     /// @p length_scale: l, mm. Throws FileError.
     void open(double length_scale);
 
-    /// Go on with the files of a run up to @p last_step. Throws FileError.
+    /// Go on with a run, whose files are written anew. @p earlier_rows: its
+    /// path_rows(), which rank 0 needs. Throws FileError.
     void resume(double                               length_scale,
-                unsigned int                         last_step,
+                const std::string                   &earlier_rows,
                 const std::vector<dealii::Point<2>> &nuclei,
                 const LinearAlgebra::Vector         &phase_field);
 
@@ -53,6 +54,13 @@ namespace MixedCracks
     }
 
     void take_back(const DamageOrigins &earlier);
+
+    /// crack_path.csv as it is so far; empty on other ranks than 0, and in 3-d.
+    std::string
+    path_rows() const
+    {
+      return file ? file->rows() : "";
+    }
 
     /// Write the paths of an accepted step; true when they separate the body.
     /// Throws FileError.

@@ -23,16 +23,24 @@ namespace MixedCracks
                      MPI_Comm                             communicator);
 
     /// Begin anew.
-    void open() const;
+    void open();
 
-    /// Go on with the file of an earlier run, of which steps after
-    /// @p last_step are dropped.
-    void restore(unsigned int last_step) const;
+    /// Write anew what an earlier run has come to, whatever its file holds by
+    /// now. @p earlier: its rows(), which rank 0 needs.
+    void restore(const std::string &earlier);
+
+    /// The header and all rows, for a checkpoint; empty on other ranks than 0
+    /// and where there is no file.
+    const std::string &
+    rows() const
+    {
+      return all_rows;
+    }
 
     /// @p openings: mm, one line after the other.
     void add(unsigned int               step,
              double                     time, // s
-             const std::vector<double> &openings) const;
+             const std::vector<double> &openings);
 
   private:
     void write(const std::string &content, bool append) const;
@@ -40,6 +48,7 @@ namespace MixedCracks
     const std::string                   name;
     const std::vector<OpeningLine<dim>> lines;
     const MPI_Comm                      communicator;
+    std::string                         all_rows;
   };
 } // namespace MixedCracks
 

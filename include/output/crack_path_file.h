@@ -25,10 +25,18 @@ namespace MixedCracks
     /// Begin anew: the header, and an empty list.
     std::string open();
 
-    /// Go on with the files of an earlier run: keep the steps up to
-    /// @p last_step, drop later ones and the outcome. Begins anew when there
-    /// is no file. The next add() is compared with what was written last.
-    std::string restore(unsigned int last_step);
+    /// Write anew what an earlier run has come to, whatever its files hold by
+    /// now. @p earlier: its rows(). The next add() is compared with its last
+    /// paths.
+    std::string restore(const std::string &earlier);
+
+    /// The header and all rows, without the outcome: for a checkpoint. A step
+    /// adds to them only when a crack has moved by the tolerance.
+    const std::string &
+    rows() const
+    {
+      return all_rows;
+    }
 
     /// Add the paths of a step, unless they are those written last; opens the
     /// file when that was not done. Without cracks there is nothing to write.
@@ -41,7 +49,7 @@ namespace MixedCracks
     std::string finish(const Outcome &outcome);
 
   private:
-    using Paths = std::vector<std::vector<dealii::Point<2>>>;
+    using Cracks = std::vector<Crack>;
 
     bool        differs(const std::vector<Crack> &cracks) const;
     std::string append(const std::string &text) const;
@@ -49,12 +57,14 @@ namespace MixedCracks
                           const std::vector<Crack> &cracks) const;
     std::string write_pvd() const;
     std::string failure(const std::string &name) const;
-    void        take_row(const std::string &row);
+    void        take_row(const std::vector<std::string> &columns);
+    std::string restore_vtp() const;
 
     const std::string directory, csv_name, pvd_name;
     const double      tolerance;
     bool              is_open = false;
-    Paths             last; ///< written
+    std::string       all_rows;
+    Cracks            last; ///< written
     /// step and time, s
     std::vector<std::pair<unsigned int, double>> steps;
   };

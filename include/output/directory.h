@@ -16,14 +16,24 @@ namespace MixedCracks
     resume
   };
 
+  /// Look at @p directory and change nothing: whether it is free for a run,
+  /// with nothing of another run to be replaced or continued. @p names: what
+  /// the run will write, relative to the directory, folders with '/' behind.
+  /// Throws FileError when a run is there and @p existing refuses it, and when
+  /// a file would be overwritten that no run has recorded. Collective.
+  bool inspect_output_directory(const std::string              &directory,
+                                ExistingRun                     existing,
+                                const std::vector<std::string> &names,
+                                MPI_Comm                        communicator);
+
   /// Make @p directory ready for a run: create it, and in it "fields" where
-  /// @p with_fields, see that files can be written, and treat a run that is
-  /// there already as @p existing says. Done on rank 0; throws FileError on
-  /// every rank alike.
-  void prepare_output_directory(const std::string &directory,
-                                ExistingRun        existing,
-                                bool               with_fields,
-                                MPI_Comm           communicator);
+  /// that is among the @p names, see that files can be written, and begin
+  /// run_files.txt. Where a run is to be overwritten, what it has recorded is
+  /// removed, and nothing else. Throws FileError. Collective.
+  void prepare_output_directory(const std::string              &directory,
+                                ExistingRun                     existing,
+                                const std::vector<std::string> &names,
+                                MPI_Comm                        communicator);
 
   /// What is at a directory before a run, so that a run that is refused later,
   /// for a mesh that cannot be read or a load that is infinite at the start,
@@ -34,9 +44,9 @@ namespace MixedCracks
     /// Collective; rank 0 looks.
     OutputTrace(const std::string &directory, MPI_Comm communicator);
 
-    /// Remove the files and folders that the run has made, unless there was
-    /// another run already or a load step has been computed. Its files must
-    /// be closed. Never throws. Collective.
+    /// Remove the files and folders that the run has made, as its list has
+    /// them, unless there was another run already or a load step has been
+    /// computed. Its files must be closed. Never throws. Collective.
     void remove_refused_run() const;
 
   private:

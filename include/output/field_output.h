@@ -72,6 +72,9 @@ namespace MixedCracks
     std::string write_vtu(const dealii::DataOut<dim> &data_out,
                           unsigned int                step) const;
 
+    /// Record them before they are written; false when that fails.
+    bool note_vtu_files(unsigned int step) const;
+
     void write_collection() const;
 
     /// In 3-d: the surface of the cracks, for the step written last.

@@ -6,6 +6,7 @@
 
 #include <solvers/linear_solver.h>
 
+#include <cmath>
 #include <functional>
 #include <string>
 
@@ -18,10 +19,12 @@ namespace MixedCracks
     double displacement = 0.;
     double pressure     = 0.;
 
+    /// No number where one of them is none.
     double
     largest() const
     {
-      return std::max(displacement, pressure);
+      return displacement > pressure || std::isnan(displacement) ? displacement
+                                                                 : pressure;
     }
   };
 

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 """The paths of the cracks as crack_path.csv has them at the last step."""
-import csv
-import math
 import os
+
+from .safe import csv_table, finite as as_number, read_text
 
 NEEDED = ("step", "crack", "x_mm", "y_mm")
 
@@ -19,42 +19,27 @@ class Crack:
         self.points = []
 
 
-def as_number(text):
-    """A finite number, or None."""
-    try:
-        value = float(text)
-    except (TypeError, ValueError):
-        return None
-    return value if math.isfinite(value) else None
-
-
 def cracks_at_end(directory, remarks):
     """The Cracks at the last step of the file; None when there is no file.
     A step that was being written when the run was killed is left out when
     there is one before it."""
     path = os.path.join(directory, "crack_path.csv")
-    try:
-        with open(path, encoding="utf-8", errors="replace", newline="") as stream:
-            text = stream.read()
-    except OSError:
+    text = read_text(path)
+    if text is None:
         return None
     lines = [line for line in text.splitlines() if line.strip()]
     closed = bool(lines) and lines[-1].startswith("#")
-    cut = bool(lines) and not closed and not text.endswith("\n")
-    if cut:
-        lines.pop()
-    lines = [line for line in lines if not line.startswith("#")]
-    rows = list(csv.reader(lines))
-    names = [name.strip() for name in rows[0]] if rows else []
+    names, rows, n_bad, cut = csv_table(text)
+    cut = cut and not closed
     if any(name not in names for name in NEEDED):
         remarks.append("crack_path.csv cannot be read: it has no header with the "
                        "columns %s." % ", ".join(NEEDED))
         return []
-    steps, n_bad = {}, 0
-    for values in rows[1:]:
+    steps = {}
+    for values in rows:
         row = dict(zip(names, values))
         numbers = [as_number(row.get(name)) for name in NEEDED]
-        if len(values) != len(names) or None in numbers:
+        if None in numbers:
             n_bad += 1
             continue
         steps.setdefault(int(numbers[0]), []).append((int(numbers[1]), row))

@@ -22,6 +22,12 @@ class Force:
         self.threshold = separation_threshold(results)
 
 
+def largest_size(values):
+    """Largest modulus of the numbers that are known; 0 without any."""
+    values = np.abs(values if values is not None else [])
+    return float(values[np.isfinite(values)].max(initial=0.))
+
+
 def chosen_force(results, component=None):
     """(values, label): the component along the load where the others are
     small, otherwise the magnitude."""
@@ -30,12 +36,12 @@ def chosen_force(results, component=None):
     if not names:
         return None, ""
     table = np.array([results.column("force_%s_N" % name) for name in names])
-    sizes = np.nan_to_num(np.abs(table)).max(axis=1)
+    sizes = np.array([largest_size(values) for values in table])
     largest = int(sizes.argmax())
     if np.delete(sizes, largest).max(initial=0.) > 0.2 * sizes[largest]:
         return np.linalg.norm(table, axis=0), "Force, magnitude (N)"
     values, label = table[largest], "Force in %s (N)" % names[largest]
-    if sizes[largest] == 0.:
+    if not np.isfinite(values).any():
         return values, label
     if abs(np.nanmin(values)) > np.nanmax(values):
         return -values, label.replace("Force", "Compressive force")
@@ -75,7 +81,7 @@ def imbalance(results):
 def onset_index(results, force):
     """Last step before the crack grows: 2 % of the whole growth."""
     crack = results.column("crack_energy_mJ")
-    if crack is None or not np.isfinite(crack).all():
+    if crack is None or not len(crack) or not np.isfinite(crack).all():
         return None
     growth = crack - crack[0]
     if growth.max() <= 1e-3 * max(abs(crack[0]), 1e-12):

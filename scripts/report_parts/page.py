@@ -26,30 +26,48 @@ PAGE = """<!DOCTYPE html>
 """
 
 
+CONTROL = re.compile("[\x00-\x08\x0b\x0c\x0e-\x1f\x7f\ud800-\udfff]")
+
+
 def escaped(text):
-    return html.escape(str(text))
+    return html.escape(CONTROL.sub("\ufffd", str(text)))
+
+
+def guarded(remarks, what, part, *arguments):
+    """What the part returns. Files may hold what nobody foresaw: then a remark,
+    and nothing in its place."""
+    try:
+        return part(*arguments)
+    except Exception as error:  # the rest of the page is still worth having
+        remarks.append("%s could not be made (%s: %s)."
+                       % (what, type(error).__name__, str(error).split("\n")[0][:200]))
+        return ""
 
 
 def written(directory):
     """The page about the run in this directory, as text."""
     results = Results(directory)
     force = moments.Force(results)
-    remarks = words.remarks_of(results, force)
-    middle = (curve_section(results, force) + field_sections(results, force, remarks)
-              + energy_section(results) + step_section(results)
-              + table_section(results))
+    remarks = []
+    remarks += guarded(remarks, "Some remarks", words.remarks_of, results, force)
+    middle = (guarded(remarks, "The curve of the force", curve_section, results, force)
+              + guarded(remarks, "The pictures", field_sections, results, force,
+                        remarks)
+              + guarded(remarks, "The curves of the energies", energy_section, results)
+              + guarded(remarks, "The curves of the steps", step_section, results)
+              + guarded(remarks, "The tables", table_section, results))
     # drawing may add remarks, so the head comes last
-    body = head(results, force, remarks) + middle + foot(results)
+    figures = guarded(remarks, "The key figures", words.key_figures, results, force)
+    body = head(results, figures, remarks) + middle + foot(results)
     with open(os.path.join(os.path.dirname(__file__), "page.css")) as stream:
         style = stream.read()
     return PAGE.format(title=escaped(words.title_of(results)), style=style, body=body)
 
 
-def head(results, force, remarks):
+def head(results, key_figures, remarks):
     figures = "".join(
         "<div><dt>%s</dt><dd>%s<small>%s</small></dd></div>"
-        % tuple(escaped(part) for part in figure)
-        for figure in words.key_figures(results, force))
+        % tuple(escaped(part) for part in figure) for figure in key_figures)
     text = "<header><p class=\"kind\">Phase-field fracture</p><h1>%s</h1>" \
         "<p>%s</p><dl class=\"key\">%s</dl></header>\n" \
         % (escaped(words.title_of(results)), escaped(words.case_in_words(results)),

@@ -1,10 +1,11 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 """What a run left in its directory, however far it came."""
-import json
 import os
 import re
 
 import numpy as np
+
+from .safe import csv_table, finite, is_number_or_empty, json_object, read_text
 
 
 class Results:
@@ -40,57 +41,40 @@ class Results:
 
     def number(self, path, default=None):
         """The same as a number; the default when it is none."""
-        try:
-            return float(self.parameter(path))
-        except (TypeError, ValueError):
-            return default
-
-
-def read_text(path):
-    """The text of a file, or None when there is none."""
-    try:
-        with open(path, encoding="utf-8", errors="replace") as stream:
-            return stream.read()
-    except OSError:
-        return None
+        value = finite(self.parameter(path))
+        return default if value is None else value
 
 
 def read_statistics(path, remarks):
-    """Columns by name. A last line without its end was being written when the
-    run was killed: even if it looks whole, its last number may be cut."""
+    """Columns by name; what is empty, not finite or beyond all measure is nan."""
     text = read_text(path)
     if text is None:
         remarks.append("There is no statistics.csv: no step has been accepted yet.")
         return {}
-    lines = text.splitlines()
-    if text and not text.endswith("\n"):
-        lines.pop()
-        if lines:
-            remarks.append("The last line of statistics.csv is incomplete and "
-                           "was left out.")
-    lines = [line for line in lines
-             if line.strip() and not line.lstrip().startswith("#")]
-    if not lines:
+    names, lines, n_bad, cut = csv_table(text)
+    if cut and names:
+        remarks.append("The last line of statistics.csv is incomplete and was left "
+                       "out.")
+    if not names:
         remarks.append("statistics.csv is empty.")
         return {}
-    names = [name.strip() for name in lines[0].split(",")]
-    rows, n_bad = [], 0
-    for line in lines[1:]:
-        values = line.split(",")
-        try:
-            if len(values) != len(names):
-                raise ValueError
-            rows.append([float(value) if value.strip() else np.nan
-                         for value in values])
-        except ValueError:
-            n_bad += 1
+    rows = [line for line in lines if all(map(is_number_or_empty, line))]
+    n_bad += len(lines) - len(rows)
     if n_bad:
         remarks.append("%d line%s of statistics.csv could not be read."
                        % (n_bad, "" if n_bad == 1 else "s"))
     if not rows:
         remarks.append("statistics.csv holds no step yet.")
-    table = np.array(rows, dtype=float).reshape(-1, len(names))
-    return {name: table[:, i] for i, name in enumerate(names)}
+    values = [[finite(text) for text in row] for row in rows]
+    n_odd = sum(value is None and bool(text.strip())
+                for row, texts in zip(values, rows) for value, text in zip(row, texts))
+    if n_odd:
+        remarks.append("%d number%s in statistics.csv %s not finite, or too large for "
+                       "any body, and left out." % (
+                           (n_odd,) + (("", "is") if n_odd == 1 else ("s", "are"))))
+    table = np.array([[np.nan if value is None else value for value in row]
+                      for row in values], dtype=float).reshape(-1, len(names))
+    return {name: table[:, i] for i, name in reversed(list(enumerate(names)))}
 
 
 def read_summary(path, remarks):
@@ -101,10 +85,7 @@ def read_summary(path, remarks):
                        "or it was killed.")
         return {}
     try:
-        summary = json.loads(text)
-        if not isinstance(summary, dict):
-            raise ValueError("not an object")
-        return summary
+        return json_object(text)
     except ValueError as error:
         remarks.append("summary.json cannot be read (%s)." % error)
         return {}

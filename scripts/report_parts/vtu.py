@@ -13,6 +13,8 @@ import zlib
 
 import numpy as np
 
+from .safe import LARGEST, finite
+
 TYPES = {"Float32": "f4", "Float64": "f8", "Int8": "i1", "UInt8": "u1",
          "Int16": "i2", "UInt16": "u2", "Int32": "i4", "UInt32": "u4",
          "Int64": "i8", "UInt64": "u8"}
@@ -26,6 +28,10 @@ HEXAHEDRON = [(0, 1, 2, 3), (4, 5, 6, 7), (0, 1, 5, 4),
 TETRAHEDRON = [(0, 1, 2), (0, 1, 3), (1, 2, 3), (0, 2, 3)]
 FACES = {5: TRIANGLE, 69: TRIANGLE, 9: QUADRILATERAL, 70: QUADRILATERAL,
          10: TETRAHEDRON, 71: TETRAHEDRON, 12: HEXAHEDRON, 72: HEXAHEDRON}
+
+
+N_CORNERS = {kind: 1 + max(max(face) for face in faces)
+             for kind, faces in FACES.items()}
 
 
 class FieldError(Exception):
@@ -58,11 +64,8 @@ def read_collection(directory):
     for attributes in re.findall(r"<DataSet\b([^>]*)>", text):
         found = dict(re.findall(r'(\w+)\s*=\s*"([^"]*)"', attributes))
         path = os.path.join(directory, found.get("file", ""))
-        try:
-            time = float(found["timestep"])
-        except (KeyError, ValueError):
-            continue
-        if os.path.isfile(path):
+        time = finite(found.get("timestep"))
+        if time is not None and os.path.isfile(path):
             entries[time] = path
     return sorted(entries.items())
 
@@ -134,7 +137,31 @@ def read_piece_file(path, names):
         pieces.append((points.astype(float), cells["connectivity"].astype(int),
                        cells["offsets"].astype(int), cells["types"].astype(int),
                        data))
+        check_piece(*pieces[-1])
     return pieces
+
+
+def check_piece(points, connectivity, offsets, types, data):
+    """Raises FieldError where drawing would fail, or draw nonsense."""
+    if len(offsets) != len(types) or (np.diff(offsets, prepend=0) < 1).any() \
+            or (len(offsets) and offsets[-1] != len(connectivity)):
+        raise FieldError("its cells do not fit together")
+    n_corners = np.array([N_CORNERS.get(kind, 0) for kind in types], int)
+    if (np.diff(offsets, prepend=0) < n_corners).any():
+        raise FieldError("its cells have too few corners")
+    if len(connectivity) and not (0 <= connectivity.min()
+                                  and connectivity.max() < len(points)):
+        raise FieldError("its cells have corners that are no points of it")
+    for name, values in [("points", points)] + sorted(data.items()):
+        if len(values) != len(points):
+            raise FieldError("%s has %d values for %d points"
+                             % (name, len(values), len(points)))
+        # also where a value is no number, which compares with nothing
+        if not (np.abs(values) <= LARGEST).all():
+            raise FieldError("%s has values that are not finite" % name)
+    if data.get("phase_field", np.zeros(0)).ndim != 1 \
+            or data.get("displacement", np.zeros((0, 3))).ndim != 2:
+        raise FieldError("a field has another number of components")
 
 
 def faces_of(connectivity, offsets, types):
@@ -220,12 +247,14 @@ def read_fields(path, names):
             files = [os.path.join(folder, piece.get("Source"))
                      for piece in root.iter("Piece")]
         pieces = []
-        for name in files:
-            pieces += read_piece_file(name, names)
+        with np.errstate(all="ignore"):
+            for name in files:
+                pieces += read_piece_file(name, names)
     except FieldError as error:
         raise FieldError("%s: %s" % (os.path.basename(path), error))
-    except (OSError, ElementTree.ParseError, ValueError, KeyError, TypeError,
-            IndexError, AttributeError, zlib.error, struct.error) as error:
+    except (OSError, ElementTree.ParseError, ValueError, LookupError, TypeError,
+            AttributeError, ArithmeticError, MemoryError, zlib.error,
+            struct.error) as error:
         raise FieldError("%s cannot be read (%s)" % (os.path.basename(path), error))
     if not pieces:
         raise FieldError("%s holds no cells" % os.path.basename(path))

@@ -4,6 +4,7 @@ import math
 import os
 
 from . import moments
+from .safe import finite
 
 
 def title_of(results):
@@ -16,11 +17,11 @@ def number(value, unit="", digits=4):
     """A number as one writes it: 12 345, 0.0031, 4.2e-7."""
     try:
         value = float(value)
-    except (TypeError, ValueError):
+    except (TypeError, ValueError, OverflowError):
         return str(value)
     if not math.isfinite(value):
-        text = str(value)
-    elif value == int(value) and abs(value) < 1e15:
+        return "–"
+    if value == int(value) and abs(value) < 1e15:
         text = "{:,}".format(int(value)).replace(",", "\u202f")
     else:
         text = "%.*g" % (digits, value)
@@ -34,8 +35,10 @@ def known(value):
 def duration(seconds):
     try:
         seconds = float(seconds)
-    except (TypeError, ValueError):
+    except (TypeError, ValueError, OverflowError):
         return str(seconds)
+    if not math.isfinite(seconds):
+        return "–"
     if seconds < 120.:
         return number(seconds, "s", 3)
     minutes = int(round(seconds / 60.))
@@ -98,11 +101,7 @@ def case_in_words(results):
 
 
 def is_number(text):
-    try:
-        float(text)
-        return True
-    except (TypeError, ValueError):
-        return False
+    return finite(text) is not None
 
 
 def outcome_in_words(results, force):
@@ -183,8 +182,9 @@ def remarks_of(results, force):
     remarks += results.remarks
     rest, work = moments.imbalance(results), results.column("external_work_mJ")
     stored = results.column("elastic_energy_mJ")
-    if rest is not None and max(abs(work)) > 0.:
-        share = rest[-1] / max(max(abs(work)), max(abs(stored)))
+    scale = max(moments.largest_size(work), moments.largest_size(stored))
+    if rest is not None and moments.largest_size(work) > 0.:
+        share = rest[-1] / scale
         if abs(share) > 0.05:
             remarks.append(
                 "The energies do not balance: at the end %.0f %% of the largest "

@@ -81,7 +81,7 @@ def runs_of(directory, patterns):
         with open(os.path.join(directory, "sweep.csv"), encoding="utf-8",
                   newline="") as stream:
             names = [row["name"] for row in csv.DictReader(stream) if row.get("name")]
-    except (OSError, KeyError):
+    except (OSError, KeyError, ValueError, csv.Error):
         names = sorted(os.listdir(directory))
     names = [name for name in names
              if os.path.isfile(os.path.join(directory, name, "statistics.csv"))]

@@ -1,17 +1,17 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 """The opening along the lines of a run, beside an exact one."""
-import csv
 import os
 
 import matplotlib
 import numpy as np
 from matplotlib.figure import Figure
 
-from report_parts import curves
+from report_parts import curves, safe
 
 from . import studies
 from .study_curves import HUES, save
 
+NEEDED = ("step", "line", "x_mm", "y_mm", "opening_mm")
 FUNCTIONS = {name: getattr(np, name) for name in
              ("sqrt", "sin", "cos", "exp", "log", "abs", "where", "pi")}
 
@@ -20,12 +20,13 @@ def read_lines(directory):
     """{number of the line: (coordinates, openings)} of the last step, mm. The
     coordinate is the one in which the line extends most."""
     path = os.path.join(directory, "crack_opening.csv")
-    try:
-        with open(path, encoding="utf-8", newline="") as stream:
-            rows = [{key: float(value) for key, value in row.items()}
-                    for row in csv.DictReader(stream)]
-    except (OSError, TypeError, ValueError) as error:
-        raise studies.StudyError("%s cannot be read (%s)" % (path, error))
+    names, lines, _, _ = safe.csv_table(safe.read_text(path) or "")
+    if any(name not in names for name in NEEDED):
+        raise studies.StudyError("%s cannot be read: it has no header with the "
+                                 "columns %s" % (path, ", ".join(NEEDED)))
+    rows = [row for row in ({name: safe.finite(value)
+                             for name, value in zip(names, line)} for line in lines)
+            if None not in row.values()]
     lines = {}
     for row in rows:
         if row["step"] == rows[-1]["step"]:

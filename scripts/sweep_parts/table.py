@@ -2,9 +2,10 @@
 """One row per run of a sweep, from its summary.json and statistics.csv.
 Python's own library only: a cluster may have no numpy."""
 import csv
-import json
 import math
 import os
+
+from report_parts import safe
 
 COLUMNS = ("name", "exit_status", "separated", "outcome", "start", "peak_force_N",
            "displacement_at_peak_mm", "end_displacement_mm",
@@ -17,49 +18,34 @@ COMMAND_FILE = "sweep_command.txt"
 
 def summary_of(directory):
     """summary.json; empty when it is missing or damaged."""
+    text = safe.read_text(os.path.join(directory, "summary.json"))
     try:
-        with open(os.path.join(directory, "summary.json"), encoding="utf-8") as stream:
-            summary = json.load(stream)
-        return summary if isinstance(summary, dict) else {}
-    except (OSError, ValueError):
+        return safe.json_object(text or "")
+    except ValueError:
         return {}
 
 
 def statistics_of(directory):
-    """[{column: number}] of the rows that are whole."""
-    try:
-        with open(os.path.join(directory, "statistics.csv"), encoding="utf-8",
-                  errors="replace", newline="") as stream:
-            text = stream.read()
-    except OSError:
-        return []
-    lines = text.splitlines()
-    if not text.endswith("\n"):
-        lines = lines[:-1]
-    rows = list(csv.reader(line for line in lines if not line.startswith("#")))
-    found = []
-    for row in rows[1:]:
-        try:
-            if len(row) == len(rows[0]):
-                # a column that was asked for later is empty in earlier rows
-                found.append({name.strip(): float(value) if value.strip()
-                              else float("nan")
-                              for name, value in zip(rows[0], row)})
-        except ValueError:
-            continue
-    return found
+    """[{column: number}] of the rows that are whole, without what is empty or not
+    finite."""
+    text = safe.read_text(os.path.join(directory, "statistics.csv"))
+    names, lines, _, _ = safe.csv_table(text or "")
+    return [{name: safe.finite(value) for name, value in zip(names, line)
+             if safe.finite(value) is not None}
+            for line in lines if all(map(safe.is_number_or_empty, line))]
 
 
 def record_of(directory):
     """{"options", "base", "exit status"} as sweep.py noted them at a run."""
     record = {}
     try:
-        with open(os.path.join(directory, COMMAND_FILE), encoding="utf-8") as stream:
+        with open(os.path.join(directory, COMMAND_FILE), encoding="utf-8",
+                  errors="replace") as stream:
             for line in stream:
                 if line.startswith("# ") and ": " in line:
                     key, _, value = line[2:].rstrip("\n").partition(": ")
                     record[key] = value
-    except OSError:
+    except (OSError, ValueError):
         pass
     return record
 
@@ -67,8 +53,8 @@ def record_of(directory):
 def force_column(rows):
     """The component along the load: the largest one."""
     names = [name for name in ("force_x_N", "force_y_N", "force_z_N")
-             if name in rows[0]]
-    return max(names, key=lambda name: max(abs(row[name]) for row in rows),
+             if any(name in row for row in rows)]
+    return max(names, key=lambda name: max(abs(row.get(name, 0.)) for row in rows),
                default=None)
 
 
@@ -82,7 +68,8 @@ def proportional_steps(rows):
     force = force_column(rows)
     if force is None:
         return None
-    stiffness = [abs(row[force]) / abs(row["displacement_mm"]) for row in rows]
+    stiffness = [abs(row.get(force, 0.)) / abs(row["displacement_mm"])
+                 for row in rows]
     for count, value in enumerate(stiffness):
         if not value >= (1. - SOFTENING) * stiffness[0]:
             return count
@@ -131,7 +118,7 @@ def row_of(name, directory):
 
 
 def as_text(value):
-    if value is None or (isinstance(value, float) and math.isnan(value)):
+    if value is None or (isinstance(value, float) and not math.isfinite(value)):
         return ""
     if isinstance(value, bool):
         return "true" if value else "false"

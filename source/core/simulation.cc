@@ -63,25 +63,39 @@ namespace MixedCracks
       resumed = checkpoint.read();
       require_same_case(resumed->signature, signature.problem);
     }
-    // an existing run is refused at once, but replaced only when the mesh of
-    // the new one is there
-    if (existing == ExistingRun::refuse)
-      prepare_output(existing);
+    inspect_output(existing);
     preflight();
-    if (existing != ExistingRun::refuse)
-      prepare_output(existing);
-    constraints.reinit();
-    if (!resumed)
-      refine_initial_mesh();
-    make_solvers();
-    reinit_on_mesh();
-
-    State accepted = resumed ? resumed_state() : initial_state();
+    State accepted = first_state();
     if (resumed)
       run_end = end_of_resumed_run(accepted);
     had_ended = run_end != RunEnd::none && resumed;
     advance_to_the_end(accepted);
-    return finish(accepted, {exit_status(run_end), in_words(run_end)});
+    return finish(accepted,
+                  {exit_status(run_end), in_words(run_end) + why_failed});
+  }
+
+
+
+  template <int dim>
+  State
+  Simulation<dim>::first_state()
+  {
+    try
+    {
+      constraints.reinit();
+      if (!resumed)
+        refine_initial_mesh();
+      make_solvers();
+      reinit_on_mesh();
+      return resumed ? resumed_state() : initial_state();
+    }
+    catch (const SolverError &)
+    {
+      // the input was good; what could not be calculated has a log
+      if (!resumed)
+        prepare_output();
+      throw;
+    }
   }
 
 
@@ -198,10 +212,14 @@ namespace MixedCracks
       throw SolverError("the initial state cannot be computed: " +
                         outcome.reason);
     relaxed.previous_phase_field = relaxed.phase_field;
+    const StatisticsRow row      = measure(relaxed, relaxed, outcome);
+    if (const std::string fault = not_finite(relaxed, row); !fault.empty())
+      throw SolverError("the initial state cannot be computed: " + fault);
+    prepare_output();
     crack_observer.open(material->description().length_scale);
     crack_observer.start(relaxed.phase_field);
     crack_opening_file.open();
-    record(relaxed, relaxed, outcome);
+    record(row, relaxed);
     return relaxed;
   }
 
@@ -259,10 +277,17 @@ namespace MixedCracks
                        trial.time,
                        trial.time_step));
       const DamageOrigins origins = crack_observer.origins();
-      const StepOutcome   outcome =
-        solve_step(accepted, trial, load_control.phase_field_bound());
+      const double        bound   = load_control.phase_field_bound();
+      StepOutcome         outcome = solve_step(accepted, trial, bound);
       if (outcome.interrupted)
         return RunEnd::stopped;
+      StatisticsRow row;
+      if (outcome.solved && outcome.phase_field_change <= bound)
+      {
+        row            = measure(accepted, trial, outcome);
+        outcome.reason = not_finite(trial, row);
+        outcome.solved = outcome.reason.empty();
+      }
       const double change = outcome.runs_away
                               ? std::numeric_limits<double>::infinity()
                               : outcome.phase_field_change;
@@ -270,7 +295,7 @@ namespace MixedCracks
       {
         case LoadControl::Verdict::accept:
           trial.previous_phase_field = accepted.phase_field;
-          record(accepted, trial, outcome);
+          record(row, trial);
           accepted = trial;
           return run_end;
         case LoadControl::Verdict::repeat:
@@ -282,6 +307,7 @@ namespace MixedCracks
           return RunEnd::onset;
         case LoadControl::Verdict::give_up:
           log.line("  failed at the smallest step: " + outcome.reason);
+          why_failed = ": " + outcome.reason;
           return RunEnd::failed;
       }
     }

@@ -5,12 +5,8 @@ namespace MixedCracks
 {
   template <int dim>
   void
-  Simulation<dim>::record_opening(const State &state, StatisticsRow &row)
+  Simulation<dim>::record_opening(const State &state, const StatisticsRow &row)
   {
-    const double thickness = dim == 2 ? parameters.material.thickness : 1.;
-    if (parameters.crack_opening.crack_volume)
-      row.crack_volume =
-        thickness * crack_volume(fields, state.elastic, state.phase_field);
     if (!crack_opening.lines().empty())
       crack_opening_file.add(
         row.step,
@@ -20,6 +16,8 @@ namespace MixedCracks
 
 
 
-  template void Simulation<2>::record_opening(const State &, StatisticsRow &);
-  template void Simulation<3>::record_opening(const State &, StatisticsRow &);
+  template void Simulation<2>::record_opening(const State &,
+                                              const StatisticsRow &);
+  template void Simulation<3>::record_opening(const State &,
+                                              const StatisticsRow &);
 } // namespace MixedCracks

@@ -8,13 +8,67 @@ namespace MixedCracks
 {
   using namespace dealii;
 
+  namespace
+  {
+    // Relative to the output directory, folders with '/' behind; files that
+    // have a number in their names are recorded when they are written.
+    template <int dim>
+    std::vector<std::string>
+    files_to_be_written(const Parameters<dim> &parameters)
+    {
+      const std::string        format = parameters.output.field_format;
+      std::vector<std::string> names  = {"log.txt",
+                                         "statistics.csv",
+                                         "parameters.prm",
+                                         "summary.json",
+                                         "summary.json.part",
+                                         "checkpoint/",
+                                         "checkpoint/generation-0/",
+                                         "checkpoint/generation-1/"};
+      const auto               add = [&names](const bool                      is_written,
+                                const std::vector<std::string> &more) {
+        if (is_written)
+          names.insert(names.end(), more.begin(), more.end());
+      };
+      add(dim == 2, {"crack_path.csv", "crack_path.pvd", "crack_path/"});
+      add(!parameters.crack_opening.lines().empty(), {"crack_opening.csv"});
+      add(parameters.output.with_fields(), {"fields/"});
+      add(format == "VTU" || format == "both",
+          {"fields.pvd", "fields.pvd.part"});
+      add(format == "XDMF" || format == "both",
+          {"fields.xdmf", "fields.xdmf.part"});
+      add(dim == 3 && parameters.output.with_fields(), {"crack_surface.pvd"});
+      return names;
+    }
+  } // namespace
+
+
+
   template <int dim>
   void
-  Simulation<dim>::prepare_output(const ExistingRun existing)
+  Simulation<dim>::inspect_output(const ExistingRun existing)
   {
+    waiting_output = existing;
+    if (inspect_output_directory(parameters.output.directory,
+                                 existing,
+                                 files_to_be_written(parameters),
+                                 communicator))
+      prepare_output();
+  }
+
+
+
+  template <int dim>
+  void
+  Simulation<dim>::prepare_output()
+  {
+    if (!waiting_output)
+      return;
+    const ExistingRun  existing  = *waiting_output;
     const std::string &directory = parameters.output.directory;
+    waiting_output.reset();
     prepare_output_directory(
-      directory, existing, parameters.output.with_fields(), communicator);
+      directory, existing, files_to_be_written(parameters), communicator);
     log.open(directory + "/log.txt", existing == ExistingRun::resume);
     statistics.open(directory + "/statistics.csv",
                     dim,
@@ -35,14 +89,14 @@ namespace MixedCracks
 
 
   template <int dim>
-  void
-  Simulation<dim>::record(const State       &before,
-                          const State       &state,
-                          const StepOutcome &outcome)
+  StatisticsRow
+  Simulation<dim>::measure(const State       &before,
+                           const State       &state,
+                           const StepOutcome &outcome)
   {
-    std::optional<TimerOutput::Scope> scope(std::in_place, timer, "output");
-    const double                      thickness = parameters.thickness_factor();
-    StatisticsRow                     row;
+    TimerOutput::Scope scope(timer, "output");
+    const double       thickness = parameters.thickness_factor();
+    StatisticsRow      row;
     row.step         = static_cast<unsigned int>(statistics.rows().size());
     row.time         = state.time;
     row.displacement = boundary_quantities.displacement(state.time);
@@ -54,8 +108,8 @@ namespace MixedCracks
     row.elastic_energy = thickness * energies.elastic;
     row.crack_energy   = thickness * energies.crack;
     row.crack_surface  = energies.crack_surface;
-    external_work += thickness * elastic_step->external_work(before, state);
-    row.external_work       = external_work;
+    row.external_work =
+      external_work + thickness * elastic_step->external_work(before, state);
     row.min_phase_field     = smallest_phase_field(state);
     row.phase_field_change  = outcome.phase_field_change;
     row.newton_iterations   = outcome.newton_iterations;
@@ -70,8 +124,22 @@ namespace MixedCracks
       earlier.factorizations + elastic_step->counts().factorizations;
     row.rejected_steps = earlier.rejected_steps + load_control.n_rejected();
     row.refinements    = n_refinements;
-    record_opening(state, row);
+    if (parameters.crack_opening.crack_volume)
+      row.crack_volume =
+        thickness * crack_volume(fields, state.elastic, state.phase_field);
     row.point_displacements = point_displacements.evaluate(state.elastic);
+    return row;
+  }
+
+
+
+  template <int dim>
+  void
+  Simulation<dim>::record(const StatisticsRow &row, const State &state)
+  {
+    std::optional<TimerOutput::Scope> scope(std::in_place, timer, "output");
+    external_work = row.external_work;
+    record_opening(state, row);
     statistics.add(row);
     log_step(row);
     check_energy_balance();
@@ -190,13 +258,15 @@ namespace MixedCracks
 
 
 #define INSTANTIATE(dim)                                                       \
-  template void Simulation<dim>::prepare_output(ExistingRun);                  \
-  template void Simulation<dim>::record(                                       \
+  template void          Simulation<dim>::inspect_output(ExistingRun);         \
+  template void          Simulation<dim>::prepare_output();                    \
+  template StatisticsRow Simulation<dim>::measure(                             \
     const State &, const State &, const StepOutcome &);                        \
+  template void Simulation<dim>::record(const StatisticsRow &, const State &); \
   template Tensor<1, dim> Simulation<dim>::force(const State &) const;         \
-  template double  Simulation<dim>::smallest_phase_field(const State &) const; \
-  template void    Simulation<dim>::write_fields_when_due(const State &);      \
-  template void    Simulation<dim>::write_fields(const State &, unsigned int); \
+  template double Simulation<dim>::smallest_phase_field(const State &) const;  \
+  template void   Simulation<dim>::write_fields_when_due(const State &);       \
+  template void   Simulation<dim>::write_fields(const State &, unsigned int);  \
   template Summary Simulation<dim>::summarize(const RunOutcome &,              \
                                               const RunTotals &);
   INSTANTIATE(2)

@@ -49,6 +49,8 @@ namespace MixedCracks
     if (!field_output.has(peak_step))
       write_fields(peak_state, peak_step);
     record.field_files = field_output.records();
+    record.tables      = {{"crack_path.csv", crack_observer.path_rows()},
+                          {"crack_opening.csv", crack_opening_file.rows()}};
     checkpoint.write(record, state, fields, triangulation);
   }
 
@@ -70,15 +72,16 @@ namespace MixedCracks
     peak_step     = resumed->peak_step;
     peak_state    = state;
     peak_state.reaction.clear();
+    prepare_output();
     statistics.restore(resumed->rows);
     n_refinements      = resumed->n_refinements;
     n_imbalanced_steps = resumed->n_imbalanced_steps;
     earlier            = resumed->totals;
     crack_observer.resume(material->description().length_scale,
-                          resumed->rows.back().step,
+                          resumed->tables["crack_path.csv"],
                           resumed->nuclei,
                           state.phase_field);
-    crack_opening_file.restore(resumed->rows.back().step);
+    crack_opening_file.restore(resumed->tables["crack_opening.csv"]);
     field_output.restore(resumed->field_files);
     // a run without fields kept nothing of its peak, and this state is another
     if (peak_step < resumed->rows.back().step)

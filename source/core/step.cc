@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace MixedCracks
 {
@@ -28,7 +29,8 @@ namespace MixedCracks
 
 
 
-    // max over the nodes of a - b, or of its modulus
+    // max over the nodes of a - b, or of its modulus; infinite where a number
+    // is none
     double
     largest_difference(const Vector &a, const Vector &b, const bool modulus)
     {
@@ -36,7 +38,9 @@ namespace MixedCracks
       const auto owned   = a.locally_owned_elements();
       for (const auto i : owned)
       {
-        const double difference = a(i) - b(i);
+        double difference = a(i) - b(i);
+        if (std::isnan(difference))
+          difference = std::numeric_limits<double>::infinity();
         largest =
           std::max(largest, modulus ? std::abs(difference) : difference);
       }

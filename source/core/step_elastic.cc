@@ -6,6 +6,9 @@
 #include <discretization/rigid_body_modes.h>
 #include <discretization/sparse_matrix.h>
 
+#include <cmath>
+#include <limits>
+
 namespace MixedCracks
 {
   using namespace dealii;
@@ -18,9 +21,12 @@ namespace MixedCracks
     // a factorisation.
     constexpr double largest_degradation_change = 0.5;
 
+    // no number where the scale has overflown: nothing is small beside it
     double
     relative(const double size, const double scale)
     {
+      if (!std::isfinite(scale))
+        return std::numeric_limits<double>::quiet_NaN();
       return size == 0. ? 0. : size / scale;
     }
   } // namespace

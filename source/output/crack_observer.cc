@@ -81,7 +81,7 @@ namespace MixedCracks
   template <int dim>
   void
   CrackObserver<dim>::resume(const double                 length,
-                             const unsigned int           last_step,
+                             const std::string           &earlier_rows,
                              const std::vector<Point<2>> &nuclei,
                              const Vector                &phase_field)
   {
@@ -94,7 +94,7 @@ namespace MixedCracks
         Utilities::MPI::this_mpi_process(fields.communicator()) == 0)
     {
       file    = std::make_unique<CrackPathFile>(directory, 0.1 * length);
-      message = file->restore(last_step);
+      message = file->restore(earlier_rows);
     }
     throw_on_all_ranks(message, fields.communicator());
   }

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
+#include <core/finite_text.h>
+
 #include <deal.II/base/mpi.h>
 
 #include <output/crack_opening_file.h>
 #include <output/directory.h>
 
-#include <algorithm>
-#include <cstdlib>
 #include <fstream>
 #include <iomanip>
 #include <sstream>
@@ -59,30 +59,19 @@ namespace MixedCracks
 
   template <int dim>
   void
-  CrackOpeningFile<dim>::open() const
+  CrackOpeningFile<dim>::open()
   {
-    write(header(dim), /*append=*/false);
+    restore("");
   }
 
 
 
   template <int dim>
   void
-  CrackOpeningFile<dim>::restore(const unsigned int last_step) const
+  CrackOpeningFile<dim>::restore(const std::string &earlier)
   {
-    std::string   kept = header(dim), line;
-    std::ifstream file(name);
-    std::getline(file, line);
-    const auto n_commas = std::count(kept.begin(), kept.end(), ',');
-    while (std::getline(file, line))
-      // one that was cut off is of a later step, too
-      if (std::count(line.begin(), line.end(), ',') == n_commas &&
-          std::strtoul(line.c_str(), nullptr, 10) <= last_step)
-        kept += line + '\n';
-    file.close();
-    // nobody writes before all have read
-    MPI_Barrier(communicator);
-    write(kept, /*append=*/false);
+    all_rows = earlier.empty() && !lines.empty() ? header(dim) : earlier;
+    write(all_rows, /*append=*/false);
   }
 
 
@@ -91,9 +80,10 @@ namespace MixedCracks
   void
   CrackOpeningFile<dim>::add(const unsigned int         step,
                              const double               time,
-                             const std::vector<double> &openings) const
+                             const std::vector<double> &openings)
   {
     std::ostringstream out;
+    out.imbue(csv_locale());
     out << std::setprecision(10);
     std::size_t number = 0;
     for (std::size_t l = 0; l < lines.size(); ++l)
@@ -106,6 +96,9 @@ namespace MixedCracks
           out << ',' << position[d];
         out << ',' << openings[number] << '\n';
       }
+    // for checkpoints, of which the first rank knows
+    if (dealii::Utilities::MPI::this_mpi_process(communicator) == 0)
+      all_rows += out.str();
     write(out.str(), /*append=*/true);
   }
 

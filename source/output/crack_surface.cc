@@ -6,6 +6,7 @@
 
 #include <output/crack_surface.h>
 #include <output/directory.h>
+#include <output/run_files.h>
 
 #include <fstream>
 
@@ -80,11 +81,12 @@ namespace MixedCracks
     if (Utilities::MPI::this_mpi_process(fields.communicator()) == 0)
       try
       {
+        const bool    noted = note_run_files(directory, {file_name});
         std::ofstream file(directory + "/" + file_name);
         write_triangles(file, triangles);
         std::ofstream list(directory + "/crack_surface.pvd");
         DataOutBase::write_pvd_record(list, times_and_names);
-        written = file.flush() && list.flush();
+        written = noted && file.flush() && list.flush();
       }
       catch (const std::exception &) // deal.II's, of a list without a file
       {

@@ -4,7 +4,9 @@
 #include <deal.II/base/mpi.h>
 
 #include <output/directory.h>
+#include <output/run_files.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <fstream>
 
@@ -14,37 +16,49 @@ namespace MixedCracks
   {
     namespace fs = std::filesystem;
 
-    // what a run writes, and hence what --overwrite may remove
-    const char *const run_files[] = {"log.txt",
-                                     "statistics.csv",
-                                     "fields.pvd",
-                                     "fields.xdmf",
-                                     "fields",
-                                     "parameters.prm",
-                                     "summary.json",
-                                     "crack_path.csv",
-                                     "crack_path.pvd",
-                                     "crack_surface.pvd",
-                                     "crack_path",
-                                     "report.html",
-                                     "checkpoint"};
-
     bool
-    holds_a_run(const fs::path &directory)
+    holds_a_run(const std::string &directory)
     {
       std::error_code error;
-      return fs::exists(directory / "statistics.csv", error) ||
-             fs::exists(directory / "log.txt", error) ||
-             fs::exists(directory / "parameters.prm", error);
+      for (const char *name : {"statistics.csv",
+                               "log.txt",
+                               "parameters.prm",
+                               "checkpoint/generation-0",
+                               "checkpoint/generation-1"})
+        if (fs::exists(fs::path(directory) / name, error))
+          return true;
+      return has_run_files(directory);
     }
 
     // more than a header
     bool
-    has_results(const fs::path &directory)
+    has_results(const std::string &directory)
     {
-      std::ifstream file(directory / "statistics.csv");
+      std::ifstream file(fs::path(directory) / "statistics.csv");
       std::string   line;
       return std::getline(file, line) && std::getline(file, line);
+    }
+
+    // What is there, would be overwritten, and is not in the way by order of
+    // the user: the files of a run that are not @p known as those of a run.
+    std::string
+    foreign_file(const std::string              &directory,
+                 std::vector<std::string>        names,
+                 const std::vector<std::string> &known)
+    {
+      if (!has_run_files(directory))
+        names.push_back(run_files_name);
+      for (const std::string &name : numbered_files(directory))
+        if (std::find(names.begin(),
+                      names.end(),
+                      name.substr(0, name.find('/') + 1)) != names.end())
+          names.push_back(name);
+      std::error_code error;
+      for (const std::string &name : names)
+        if (name.back() != '/' && fs::exists(fs::path(directory) / name, error))
+          if (std::find(known.begin(), known.end(), name) == known.end())
+            return name;
+      return "";
     }
 
     void
@@ -61,27 +75,75 @@ namespace MixedCracks
       fs::remove(probe);
     }
 
-    void
-    prepare(const fs::path   &directory,
-            const ExistingRun existing,
-            const bool        with_fields)
+    // whether there is nothing that would have to go first
+    bool
+    inspect(const std::string              &directory,
+            const ExistingRun               existing,
+            const std::vector<std::string> &names)
     {
       if (fs::exists(directory) && !fs::is_directory(directory))
-        throw FileError("Output/Directory: '" + directory.string() +
+        throw FileError("Output/Directory: '" + directory +
                         "' is a file, allowed is a directory.");
       const bool found = holds_a_run(directory);
       if (found && existing == ExistingRun::refuse)
         throw FileError(
-          "Output/Directory: '" + directory.string() +
+          "Output/Directory: '" + directory +
           "' already holds a run. Allowed: another directory (--output DIR), "
           "--overwrite to replace it, --resume to continue it.");
+      if (existing == ExistingRun::resume)
+        return false;
+      const std::string foreign =
+        foreign_file(directory, names, files_of_runs(directory));
+      if (!foreign.empty())
+        throw FileError("Output/Directory: '" + directory + "' holds '" +
+                        foreign +
+                        "', which would be overwritten and is not recorded "
+                        "there as the file of a run. Allowed: another "
+                        "directory (--output DIR), or to move this file away.");
+      if (found)
+        require_writable(directory);
+      return !found;
+    }
+
+    void
+    prepare(const std::string              &directory,
+            const ExistingRun               existing,
+            const std::vector<std::string> &names)
+    {
       fs::create_directories(directory);
       require_writable(directory);
-      if (found && existing == ExistingRun::overwrite)
-        for (const char *name : run_files)
-          fs::remove_all(directory / name);
-      if (with_fields)
-        fs::create_directories(directory / "fields");
+      if (existing == ExistingRun::overwrite)
+        remove_run_files(directory, files_of_runs(directory));
+      if (!begin_run_files(directory, files_of_runs(directory), names))
+        throw FileError("Output/Directory: files cannot be written in '" +
+                        directory + "'; is the disk full?");
+      if (std::find(names.begin(), names.end(), "fields/") != names.end())
+        fs::create_directories(fs::path(directory) / "fields");
+    }
+
+    // on rank 0, with what goes wrong there thrown on all
+    template <typename Body>
+    void
+    on_first_rank(const std::string &directory,
+                  const MPI_Comm     communicator,
+                  const Body        &body)
+    {
+      std::string message;
+      if (dealii::Utilities::MPI::this_mpi_process(communicator) == 0)
+        try
+        {
+          body();
+        }
+        catch (const FileError &error)
+        {
+          message = error.what();
+        }
+        catch (const fs::filesystem_error &error)
+        {
+          message = "Output/Directory: '" + directory +
+                    "' cannot be made: " + error.code().message() + ".";
+        }
+      throw_on_all_ranks(message, communicator);
     }
   } // namespace
 
@@ -107,12 +169,20 @@ namespace MixedCracks
   void
   OutputTrace::remove_refused_run() const
   {
+    // a list that was not there before is that of this run
     if (dealii::Utilities::MPI::this_mpi_process(communicator) == 0 &&
         !held_a_run && !has_results(directory))
     {
       std::error_code error;
-      for (const char *name : run_files)
-        fs::remove_all(fs::path(directory) / name, error);
+      try
+      {
+        if (has_run_files(directory))
+          remove_run_files(directory, files_of_runs(directory));
+      }
+      catch (const fs::filesystem_error &)
+      {
+        // the refusal is what the user is to read
+      }
       for (const std::string &folder : new_folders)
         fs::remove(folder, error); // unless something else is in it
     }
@@ -132,27 +202,28 @@ namespace MixedCracks
 
 
 
-  void
-  prepare_output_directory(const std::string &directory,
-                           const ExistingRun  existing,
-                           const bool         with_fields,
-                           const MPI_Comm     communicator)
+  bool
+  inspect_output_directory(const std::string              &directory,
+                           const ExistingRun               existing,
+                           const std::vector<std::string> &names,
+                           const MPI_Comm                  communicator)
   {
-    std::string message;
-    if (dealii::Utilities::MPI::this_mpi_process(communicator) == 0)
-      try
-      {
-        prepare(directory, existing, with_fields);
-      }
-      catch (const FileError &error)
-      {
-        message = error.what();
-      }
-      catch (const fs::filesystem_error &error)
-      {
-        message = "Output/Directory: '" + directory +
-                  "' cannot be made: " + error.code().message() + ".";
-      }
-    throw_on_all_ranks(message, communicator);
+    int is_free = 0;
+    on_first_rank(directory, communicator, [&]() {
+      is_free = inspect(directory, existing, names) ? 1 : 0;
+    });
+    return dealii::Utilities::MPI::broadcast(communicator, is_free, 0) != 0;
+  }
+
+
+
+  void
+  prepare_output_directory(const std::string              &directory,
+                           const ExistingRun               existing,
+                           const std::vector<std::string> &names,
+                           const MPI_Comm                  communicator)
+  {
+    on_first_rank(
+      directory, communicator, [&]() { prepare(directory, existing, names); });
   }
 } // namespace MixedCracks

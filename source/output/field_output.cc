@@ -7,6 +7,7 @@
 #include <output/directory.h>
 #include <output/disk.h>
 #include <output/field_output.h>
+#include <output/run_files.h>
 
 #include <algorithm>
 #include <sstream>
@@ -150,13 +151,34 @@ namespace MixedCracks
 
 
 
+  // as write_vtu_with_pvtu_record() calls them
+  template <int dim>
+  bool
+  FieldOutput<dim>::note_vtu_files(const unsigned int step) const
+  {
+    if (Utilities::MPI::this_mpi_process(fields.communicator()) != 0)
+      return true;
+    const unsigned int n =
+      Utilities::MPI::n_mpi_processes(fields.communicator());
+    const std::string base =
+      "fields/fields_" + Utilities::int_to_string(step, 5) + '.';
+    std::vector<std::string> names = {base + "pvtu"};
+    for (unsigned int rank = 0; rank < n; ++rank)
+      names.push_back(
+        base + Utilities::int_to_string(rank, Utilities::needed_digits(n - 1)) +
+        ".vtu");
+    return note_run_files(directory, names);
+  }
+
+
+
   template <int dim>
   std::string
   FieldOutput<dim>::write_vtu(const DataOut<dim> &data_out,
                               const unsigned int  step) const
   {
     std::string name;
-    int         failures = 0;
+    int         failures = note_vtu_files(step) ? 0 : 1;
     try
     {
       // one file for each rank: needs no parallel file system

@@ -98,7 +98,8 @@ namespace MixedCracks
            totals,
            nuclei,
            rows,
-           field_files] = record;
+           field_files,
+           tables] = record;
     return std::tie(signature,
                     attempt,
                     end,
@@ -115,7 +116,8 @@ namespace MixedCracks
                     totals,
                     nuclei,
                     rows,
-                    field_files);
+                    field_files,
+                    tables);
   }
 
 

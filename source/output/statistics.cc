@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
+#include <core/finite_text.h>
+
 #include <deal.II/base/mpi.h>
 
 #include <output/directory.h>
@@ -35,6 +37,7 @@ namespace MixedCracks
          const std::size_t    n_point_columns)
     {
       std::ostringstream out;
+      out.imbue(csv_locale());
       out << std::setprecision(10) << row.step << ',' << row.time << ','
           << row.displacement;
       for (int d = 0; d < dim; ++d)
@@ -116,7 +119,7 @@ namespace MixedCracks
       file.open(name);
       file << header(dim) << (with_crack_volume ? ",crack_volume_mm3" : "");
       for (const std::string &column : point_columns)
-        file << ',' << column;
+        file << ',' << csv_field(column);
       file << '\n' << std::flush;
       if (!file)
         message = "Output/Directory: '" + name + "' cannot be written.";

@@ -1,35 +1,16 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
+#include <core/finite_text.h>
+
 #include <output/disk.h>
 #include <output/summary.h>
 
 #include <algorithm>
 #include <cmath>
-#include <iomanip>
-#include <sstream>
 
 namespace MixedCracks
 {
   namespace
   {
-    std::string
-    quoted(const std::string &text)
-    {
-      std::ostringstream out;
-      out << '"';
-      for (const char c : text)
-        if (c == '"' || c == '\\')
-          out << '\\' << c;
-        else if (static_cast<unsigned char>(c) < 0x20)
-          out << "\\u" << std::hex << std::setw(4) << std::setfill('0')
-              << static_cast<int>(c) << std::dec;
-        else
-          out << c;
-      out << '"';
-      return out.str();
-    }
-
-
-
     // "key": value lines in the order they are added
     class JsonObject
     {
@@ -37,21 +18,20 @@ namespace MixedCracks
       void
       add(const std::string &key, const std::string &value)
       {
-        raw(key, quoted(value));
+        raw(key, json_string(value));
       }
 
       void
       add(const std::string &key, const double value)
       {
-        std::ostringstream out;
-        out << std::setprecision(10) << value;
-        raw(key, out.str());
+        raw(key, json_number(value));
       }
 
       void
       raw(const std::string &key, const std::string &value)
       {
-        text += (text.empty() ? "  " : ",\n  ") + quoted(key) + ": " + value;
+        text +=
+          (text.empty() ? "  " : ",\n  ") + json_string(key) + ": " + value;
       }
 
       std::string
@@ -153,7 +133,7 @@ namespace MixedCracks
     json.raw("seconds_per_phase", summary.phases.empty() ? "{}" : phases.str());
     std::string warnings;
     for (const std::string &warning : summary.warnings)
-      warnings += (warnings.empty() ? "" : ", ") + quoted(warning);
+      warnings += (warnings.empty() ? "" : ", ") + json_string(warning);
     json.raw("warnings", "[" + warnings + "]");
 
     // a reader never sees half of it

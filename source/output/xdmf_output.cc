@@ -4,6 +4,7 @@
 
 #include <output/directory.h>
 #include <output/disk.h>
+#include <output/run_files.h>
 #include <output/xdmf_output.h>
 
 #include <algorithm>
@@ -195,6 +196,15 @@ namespace MixedCracks
         "fields/mesh" + solution_file.substr(std::strlen("fields/fields"));
     // when the disk is full, some ranks stop and the others wait for them
     int failures = has_room(data, has_cells, new_mesh, solution_file) ? 0 : 1;
+    if (Utilities::MPI::this_mpi_process(communicator) == 0)
+    {
+      std::vector<std::string> names = {solution_file, solution_file + ".part"};
+      if (new_mesh)
+        names.insert(names.end(), {mesh_file, mesh_file + ".part"});
+      if (!note_run_files(directory, names))
+        failures = 1;
+    }
+    failures = Utilities::MPI::max(failures, communicator);
     if (has_cells && failures == 0)
     {
       try

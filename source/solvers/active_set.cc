@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace MixedCracks
 {
@@ -90,10 +91,11 @@ namespace MixedCracks
     types::global_dof_index
     decide_sides(Iterate &state, ActiveSetOutcome &outcome)
     {
-      const BoundedProblem                &p     = state.problem;
-      const std::size_t                    n     = p.constrained.size();
-      double                               worst = 0.;
-      std::vector<types::global_dof_index> counts(2, 0); // held, changed
+      const BoundedProblem &p     = state.problem;
+      const std::size_t     n     = p.constrained.size();
+      double                worst = 0.;
+      // held, changed, and with a residual that is not finite
+      std::vector<types::global_dof_index> counts(3, 0);
       const std::vector<Side>              before = std::move(state.sides);
       state.sides.assign(n, Side::free);
       state.is_free.assign(n, false);
@@ -107,10 +109,14 @@ namespace MixedCracks
         counts[1] += before.empty() || state.sides[i] != before[i];
         if (state.is_free[i])
           worst = std::max(worst, std::abs(r / p.scale.begin()[i]));
+        // what is no number is neither held nor the largest
+        counts[2] += !std::isfinite(r) || !std::isfinite(state.x.begin()[i]);
       }
       const MPI_Comm communicator = state.x.get_mpi_communicator();
       Utilities::MPI::sum(counts, communicator, counts);
-      outcome.residual = Utilities::MPI::max(worst, communicator);
+      outcome.residual = counts[2] > 0
+                           ? std::numeric_limits<double>::quiet_NaN()
+                           : Utilities::MPI::max(worst, communicator);
       outcome.n_active = counts[0];
       return counts[1];
     }
@@ -241,6 +247,11 @@ namespace MixedCracks
       outcome.converged = outcome.residual <= options.tolerance;
       if (outcome.converged)
         return outcome;
+      if (!std::isfinite(outcome.residual))
+      {
+        outcome.reason = "the residual of the phase field is not finite";
+        return outcome;
+      }
       if (outcome.iterations == options.max_iterations)
         break;
 

@@ -43,6 +43,20 @@ namespace MixedCracks
 
 
 
+    std::string
+    in_words_if_not_finite(const ResidualSize &size)
+    {
+      const bool displacement = !std::isfinite(size.displacement);
+      if (!displacement && std::isfinite(size.pressure))
+        return "";
+      return std::string("the residual of the ") +
+             (displacement ? "displacement" : "pressure") +
+             " is not finite: loads, prescribed values or constants of the "
+             "material are too large, or the matrix is singular";
+    }
+
+
+
     // How accurate linear solves should be.
     class LinearTolerance
     {
@@ -86,7 +100,10 @@ namespace MixedCracks
   solve_newton(const NewtonProblem &problem, const NewtonOptions &options)
   {
     NewtonOutcome outcome;
-    outcome.first = outcome.last  = problem.residual();
+    outcome.first = outcome.last = problem.residual();
+    outcome.reason               = in_words_if_not_finite(outcome.first);
+    if (!outcome.reason.empty())
+      return outcome;
     bool         force_new_matrix = false;
     const double target           = std::max(
       options.tolerance, options.relative_tolerance * outcome.first.largest());
@@ -117,11 +134,9 @@ namespace MixedCracks
       outcome.last              = line_search(problem, options, before);
       outcome.iterations += 1;
       outcome.linear_iterations += linear.iterations;
-      if (!std::isfinite(outcome.last.largest()))
-      {
-        outcome.reason = "the residual is not a number";
+      outcome.reason = in_words_if_not_finite(outcome.last);
+      if (!outcome.reason.empty())
         return outcome;
-      }
       linear_tolerance.learn(before.largest(), outcome.last.largest());
       force_new_matrix =
         outcome.last.largest() > options.required_reduction * before.largest();

@@ -147,29 +147,57 @@ TEST_F(CrackPathFiles, EndWithTheOutcome)
 
 
 
-TEST_F(CrackPathFiles, AreRestoredUpToAStep)
+// Whatever has become of the files: lost, cut off, or gone on.
+TEST_F(CrackPathFiles, AreRestoredFromTheRowsOfACheckpoint)
 {
   EXPECT_EQ(file.add(2, 0.1, 0.02, {crack_to(4.5)}), "");
+  EXPECT_EQ(file.add(3, 0.2, 0.02, {crack_to(5.5), crack_to(7.)}), "");
+  const std::string rows = file.rows(), pvd = content("crack_path.pvd"),
+                    vtp_2 = content("crack_path/crack_path_000002.vtp"),
+                    vtp_3 = content("crack_path/crack_path_000003.vtp");
+  EXPECT_EQ(content("crack_path.csv"), rows);
   EXPECT_EQ(file.add(10, 0.2, 0.03, {crack_to(8.)}), "");
   EXPECT_EQ(file.finish({"arrested", "notch"}), "");
+  std::ofstream(directory + "/crack_path.csv") << "step,ti";
+  std::filesystem::remove(directory + "/crack_path.pvd");
+  std::filesystem::remove(directory + "/crack_path/crack_path_000002.vtp");
+  std::ofstream(directory + "/crack_path/crack_path_000003.vtp") << "<?xml";
   CrackPathFile resumed(directory, 0.03);
-  EXPECT_EQ(resumed.restore(9), "");
-  EXPECT_EQ(content("crack_path.csv"), header + rows_of_step_2);
-  EXPECT_EQ(count("crack_path.pvd", "crack_path_000002.vtp"), 1u);
-  EXPECT_EQ(count("crack_path.pvd", "crack_path_000010.vtp"), 0u);
+  EXPECT_EQ(resumed.restore(rows), "");
+  EXPECT_EQ(resumed.rows(), rows);
+  EXPECT_EQ(content("crack_path.csv"), rows);
+  EXPECT_EQ(content("crack_path.pvd"), pvd);
+  EXPECT_EQ(content("crack_path/crack_path_000002.vtp"), vtp_2);
+  EXPECT_EQ(content("crack_path/crack_path_000003.vtp"), vtp_3);
   // it remembers what was written last
-  EXPECT_EQ(resumed.add(9, 0.15, 0.025, {crack_to(4.5)}), "");
-  EXPECT_EQ(content("crack_path.csv"), header + rows_of_step_2);
+  EXPECT_EQ(resumed.add(9, 0.15, 0.025, {crack_to(5.5), crack_to(7.)}), "");
+  EXPECT_EQ(content("crack_path.csv"), rows);
   EXPECT_EQ(resumed.add(10, 0.2, 0.03, {crack_to(6.)}), "");
   EXPECT_EQ(count("crack_path.csv", "\n10,"), 2u);
-  EXPECT_EQ(count("crack_path.pvd", "<DataSet "), 2u);
+  EXPECT_EQ(count("crack_path.pvd", "<DataSet "), 3u);
+}
+
+
+
+TEST_F(CrackPathFiles, KeepNamesWithCommasTogether)
+{
+  Crack crack = crack_to(4.5);
+  crack.end   = {CrackEnd::Kind::boundary, "right, \"upper\""};
+  EXPECT_EQ(file.add(2, 0.1, 0.02, {crack}), "");
+  EXPECT_EQ(count("crack_path.csv", "notch,\"right, \"\"upper\"\"\",4.5,3,"),
+            2u);
+  CrackPathFile resumed(directory, 0.03);
+  EXPECT_EQ(resumed.restore(file.rows()), "");
+  EXPECT_EQ(content("crack_path.csv"), file.rows());
+  EXPECT_EQ(resumed.add(3, 0.2, 0.03, {crack}), "");
+  EXPECT_EQ(content("crack_path.csv"), file.rows());
 }
 
 
 
 TEST_F(CrackPathFiles, BeginAnewWhenThereIsNothingToRestore)
 {
-  EXPECT_EQ(file.restore(5), "");
+  EXPECT_EQ(file.restore(""), "");
   EXPECT_EQ(content("crack_path.csv"), header);
 }
 

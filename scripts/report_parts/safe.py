@@ -1,0 +1,112 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""Texts and numbers from files that may hold anything: cut off, damaged, of
+another program. Python's own library only."""
+import csv
+import json
+import math
+
+# What is larger is no measure of a body in mm, N, MPa or s, and breaks drawing.
+LARGEST = 1e30
+DEEPEST = 20  # lists within lists
+
+
+def read_text(path):
+    """The text of a file, or None when there is none."""
+    try:
+        with open(path, encoding="utf-8", errors="replace", newline="") as stream:
+            return stream.read()
+    except (OSError, ValueError):
+        return None
+
+
+def finite(text):
+    """A number that can be drawn, or None."""
+    try:
+        value = float(text)
+    except (TypeError, ValueError, OverflowError):
+        return None
+    return value if abs(value) <= LARGEST else None
+
+
+def is_number(text):
+    """Whether it is written as a number, finite or not."""
+    try:
+        float(text)
+        return True
+    except (TypeError, ValueError, OverflowError):
+        return False
+
+
+def is_number_or_empty(text):
+    return not text.strip() or is_number(text)
+
+
+def fields_of(line):
+    """The fields of one line of a CSV file, or None when it is none. A quotation
+    mark that is lost spoils its own line only: names hold no ends of lines."""
+    try:
+        return next(csv.reader([line]), [])
+    except (csv.Error, StopIteration):
+        return None
+
+
+def csv_table(text):
+    """(names, rows, number of lines that could not be read, whether the last line
+    was cut off) of a CSV file with a header and comments. Every row is as long as
+    the header."""
+    lines = text.splitlines()
+    cut = bool(text) and not text.endswith(("\n", "\r"))
+    if cut:
+        # even if it looks whole: its last number may have lost digits
+        lines.pop()
+    lines = [line for line in lines
+             if line.strip() and not line.lstrip().startswith("#")]
+    if not lines:
+        return [], [], 0, cut
+    names = [name.strip() for name in fields_of(lines[0]) or []]
+    rows = [fields_of(line) for line in lines[1:]]
+    good = [row for row in rows if row is not None and len(row) == len(names)]
+    return names, good, len(rows) - len(good), cut
+
+
+def cleaned(value, depth=0):
+    """A JSON value without what cannot be shown: numbers that are not finite
+    become None, as null is."""
+    if isinstance(value, bool) or value is None:
+        return value
+    if isinstance(value, (int, float)):
+        return value if finite(value) is not None and math.isfinite(value) else None
+    if isinstance(value, str):
+        return value.encode("utf-8", "replace").decode("utf-8")
+    if depth == DEEPEST:
+        return None
+    if isinstance(value, dict):
+        return {cleaned(key): cleaned(entry, depth + 1)
+                for key, entry in value.items()}
+    return [cleaned(entry, depth + 1) for entry in value]
+
+
+# Of summary.json; all others are single values.
+KINDS = {"separated": bool, "seconds_per_phase": dict, "warnings": list,
+         "exit_reason": str, "outcome": str, "outcome_start": str, "case": str,
+         "coupling": str}
+
+
+def json_object(text):
+    """The keys of a JSON object that have values of their kind; raises ValueError
+    when it is none."""
+    try:
+        value = json.loads(text)
+    except RecursionError:
+        raise ValueError("too many brackets")
+    if not isinstance(value, dict):
+        raise ValueError("not an object")
+    found = {}
+    for key, entry in cleaned(value).items():
+        kind = KINDS.get(key, (bool, int, float, str))
+        if entry is not None and isinstance(entry, kind):
+            found[key] = entry
+    phases = found.get("seconds_per_phase", {})
+    for name in [name for name in phases if finite(phases[name]) is None]:
+        del phases[name]
+    return found

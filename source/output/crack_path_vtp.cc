@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include <core/finite_text.h>
+
+#include <output/crack_path_vtp.h>
+
+#include <cstdio>
+#include <fstream>
+#include <iterator>
+#include <sstream>
+
+namespace MixedCracks
+{
+  namespace
+  {
+    const std::string end_of_file = "</VTKFile>\n";
+  }
+
+
+
+  std::string
+  crack_path_vtp_name(const unsigned int step)
+  {
+    char buffer[60];
+    std::snprintf(
+      buffer, sizeof(buffer), "crack_path/crack_path_%06u.vtp", step);
+    return buffer;
+  }
+
+
+
+  std::vector<double>
+  arc_lengths(const Crack &crack)
+  {
+    std::vector<double> lengths(crack.points.size(), 0.);
+    for (std::size_t i = 1; i < lengths.size(); ++i)
+      lengths[i] =
+        lengths[i - 1] + crack.points[i].distance(crack.points[i - 1]);
+    return lengths;
+  }
+
+
+
+  std::string
+  crack_path_vtp(const std::vector<Crack> &cracks)
+  {
+    std::ostringstream points, arcs, connectivity, offsets, numbers, lengths;
+    std::size_t        n = 0;
+    for (std::size_t c = 0; c < cracks.size(); ++c)
+    {
+      for (const dealii::Point<2> &point : cracks[c].points)
+      {
+        points << csv_number(point[0]) << ' ' << csv_number(point[1]) << " 0\n";
+        connectivity << n++ << ' ';
+      }
+      for (const double arc : arc_lengths(cracks[c]))
+        arcs << csv_number(arc) << '\n';
+      offsets << n << ' ';
+      numbers << c << ' ';
+      lengths << csv_number(cracks[c].length) << ' ';
+    }
+    const auto array = [](const std::string &attributes,
+                          const std::string &content) {
+      return "<DataArray " + attributes + " format=\"ascii\">\n" + content +
+             "\n</DataArray>\n";
+    };
+    const std::string real = "type=\"Float64\" ", whole = "type=\"Int32\" ";
+    return "<?xml version=\"1.0\"?>\n"
+           "<VTKFile type=\"PolyData\" version=\"0.1\" "
+           "byte_order=\"LittleEndian\">\n<PolyData>\n"
+           "<Piece NumberOfPoints=\"" +
+           std::to_string(n) + "\" NumberOfVerts=\"0\" NumberOfLines=\"" +
+           std::to_string(cracks.size()) +
+           "\" NumberOfStrips=\"0\" NumberOfPolys=\"0\">\n<PointData>\n" +
+           array(real + "Name=\"arc_length_mm\"", arcs.str()) +
+           "</PointData>\n<CellData>\n" +
+           array(whole + "Name=\"crack\"", numbers.str()) +
+           array(real + "Name=\"length_mm\"", lengths.str()) +
+           "</CellData>\n<Points>\n" +
+           array(real + "NumberOfComponents=\"3\"", points.str()) +
+           "</Points>\n<Lines>\n" +
+           array(whole + "Name=\"connectivity\"", connectivity.str()) +
+           array(whole + "Name=\"offsets\"", offsets.str()) +
+           "</Lines>\n</Piece>\n</PolyData>\n" + end_of_file;
+  }
+
+
+
+  bool
+  is_whole_vtp(const std::string &file_name)
+  {
+    std::ifstream     file(file_name, std::ios::binary);
+    const std::string text(std::istreambuf_iterator<char>(file), {});
+    return text.size() >= end_of_file.size() &&
+           text.compare(text.size() - end_of_file.size(),
+                        end_of_file.size(),
+                        end_of_file) == 0;
+  }
+} // namespace MixedCracks

@@ -1,0 +1,175 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// What a run records of its files, and what is removed by that.
+#include <output/run_files.h>
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <unistd.h>
+
+using namespace MixedCracks;
+
+namespace
+{
+  namespace fs = std::filesystem;
+
+  class RunFilesOfADirectory : public ::testing::Test
+  {
+  protected:
+    const fs::path folder =
+      fs::temp_directory_path() / ("run_files_" + std::to_string(getpid()));
+    const std::string directory = (folder / "run").string();
+
+    void
+    SetUp() override
+    {
+      fs::create_directories(directory);
+    }
+
+    void
+    TearDown() override
+    {
+      fs::remove_all(folder);
+    }
+
+    void
+    write(const std::string &name, const std::string &text = "text\n")
+    {
+      const fs::path path = fs::path(directory) / name;
+      fs::create_directories(path.parent_path());
+      std::ofstream(path) << text;
+    }
+
+    bool
+    there_is(const std::string &name) const
+    {
+      return fs::exists(fs::path(directory) / name);
+    }
+
+    void
+    remove_all_of_runs()
+    {
+      remove_run_files(directory, files_of_runs(directory));
+    }
+  };
+} // namespace
+
+
+
+TEST_F(RunFilesOfADirectory, AreThoseThatWereNotThereBefore)
+{
+  write("report.html");
+  write("fields/important.dat");
+  ASSERT_TRUE(begin_run_files(
+    directory, {}, {"log.txt", "report.html", "fields/", "crack_path/"}));
+  ASSERT_TRUE(note_run_files(directory, {"fields/fields_00000.0.vtu"}));
+  write("log.txt");
+  write("fields/fields_00000.0.vtu");
+  write("fields/fields_00001.0.vtu"); // nobody has recorded it
+  write("crack_path/mine.txt");
+  remove_all_of_runs();
+  for (const char *name : {"log.txt", "fields/fields_00000.0.vtu"})
+    EXPECT_FALSE(there_is(name)) << name;
+  for (const char *name : {"report.html",
+                           "fields/important.dat",
+                           "fields/fields_00001.0.vtu",
+                           "crack_path/mine.txt"})
+    EXPECT_TRUE(there_is(name)) << name;
+  EXPECT_FALSE(has_run_files(directory));
+}
+
+
+
+TEST_F(RunFilesOfADirectory, IncludeFoldersOnlyWhenTheyAreEmpty)
+{
+  ASSERT_TRUE(begin_run_files(directory, {}, {"fields/", "crack_path/"}));
+  write("fields/x");
+  fs::create_directories(fs::path(directory) / "crack_path");
+  remove_all_of_runs();
+  EXPECT_TRUE(there_is("fields/x"));
+  EXPECT_FALSE(there_is("crack_path"));
+}
+
+
+
+TEST_F(RunFilesOfADirectory, NeverLieOutsideOfIt)
+{
+  const fs::path outside = folder / "outside.txt";
+  std::ofstream(outside) << "text\n";
+  ASSERT_TRUE(begin_run_files(directory, {}, {}));
+  ASSERT_TRUE(note_run_files(
+    directory, {"../outside.txt", outside.string(), "x/../../outside.txt"}));
+  fs::create_directory_symlink(folder, fs::path(directory) / "fields");
+  ASSERT_TRUE(note_run_files(directory, {"fields/"}));
+  remove_all_of_runs();
+  EXPECT_TRUE(fs::exists(outside));
+  EXPECT_TRUE(there_is("fields/outside.txt"));
+}
+
+
+
+TEST_F(RunFilesOfADirectory, AreNotRecordedWithoutAList)
+{
+  EXPECT_TRUE(note_run_files(directory, {"log.txt"}));
+  EXPECT_FALSE(there_is(run_files_name));
+  write(run_files_name, "a list of mine\n");
+  EXPECT_FALSE(has_run_files(directory));
+  EXPECT_TRUE(files_of_runs(directory).empty());
+}
+
+
+
+// A line that was being written when the run was killed names another file.
+TEST_F(RunFilesOfADirectory, LeaveOutALineThatWasCutOff)
+{
+  ASSERT_TRUE(begin_run_files(directory, {}, {"log.txt"}));
+  std::ofstream(fs::path(directory) / run_files_name, std::ios::app)
+    << "fields/fields";
+  EXPECT_EQ(files_of_runs(directory), std::vector<std::string>{"log.txt"});
+}
+
+
+
+TEST_F(RunFilesOfADirectory, OfEarlierVersionsAreKnownByTheirNames)
+{
+  write("statistics.csv");
+  write("fields/fields_00012.3.vtu");
+  EXPECT_TRUE(files_of_runs(directory).empty()); // of whom?
+  write("log.txt");
+  write("parameters.prm");
+  write("crack_path/crack_path_000012.vtp");
+  for (const char *name : {"fields/fields_12.vtu",
+                           "fields/fields_00012.vtu.bak",
+                           "crack_path/crack_path_12.vtp",
+                           "notes.txt"})
+    write(name);
+  remove_all_of_runs();
+  for (const char *name : {"statistics.csv",
+                           "parameters.prm",
+                           "fields/fields_00012.3.vtu",
+                           "crack_path/crack_path_000012.vtp"})
+    EXPECT_FALSE(there_is(name)) << name;
+  for (const char *name : {"fields/fields_12.vtu",
+                           "fields/fields_00012.vtu.bak",
+                           "crack_path/crack_path_12.vtp",
+                           "notes.txt"})
+    EXPECT_TRUE(there_is(name)) << name;
+}
+
+
+
+TEST_F(RunFilesOfADirectory, IncludeThoseThatTheSealOfACheckpointNames)
+{
+  const std::string generation = "checkpoint/generation-1/";
+  write(generation + "seal.txt", "3\nmesh 12\nmore.data 13\n../../x 5\n");
+  for (const char *name : {"mesh", "more.data", "mine.txt"})
+    write(generation + name);
+  write("x");
+  remove_all_of_runs();
+  for (const char *name : {"seal.txt", "mesh", "more.data"})
+    EXPECT_FALSE(there_is(generation + name)) << name;
+  EXPECT_TRUE(there_is(generation + "mine.txt"));
+  EXPECT_TRUE(there_is("x"));
+}
