@@ -23,7 +23,9 @@ run that fails does not stop the others.
 OUTPUT/sweep.csv has a row per run; what is not known is left empty:
   exit_status            of the run
   separated, outcome, start
-                         what became of the body, and where the crack started
+                         what became of the body, and where the crack started;
+                         separated is empty in 3-d, where cracks are not traced
+  force_fell             whether the force ended below its bound
   peak_force_N, displacement_at_peak_mm, end_displacement_mm,
   remaining_force_fraction, steps
                          as in summary.json

@@ -7,6 +7,7 @@
 #include <core/step_phase_field.h>
 
 #include <solvers/fixed_point.h>
+#include <solvers/rest.h>
 
 #include <functional>
 #include <limits>
@@ -24,7 +25,7 @@ namespace MixedCracks
     };
     Kind   kind      = Kind::iterated;
     double tolerance = 1e-3; ///< of max|phi - phi~|
-    /// the same in a step in which a crack runs
+    /// the same in a step in which a crack has run and stands
     double            running_tolerance = 1e-3;
     FixedPointOptions acceleration;
     unsigned int      max_iterations = 2000;
@@ -43,6 +44,8 @@ namespace MixedCracks
     bool   runs_away          = false;
     double phase_field_change = 0.; ///< max(phi^(n-1) - phi^n)
     double coupling_change    = 0.; ///< last max|phi - phi~|
+    /// the stored energy hardly changes any more: no crack goes on
+    bool at_rest = false;
     /// of the last iteration in which a crack ran, see Callbacks
     double remaining_force = std::numeric_limits<double>::infinity();
     /// a crack ran through the body, and no force is left that could change
@@ -66,8 +69,8 @@ namespace MixedCracks
       std::function<bool()> stop_requested;
       /// whether this phase field, with ghosts, needs finer cells
       std::function<bool(const LinearAlgebra::Vector &)> needs_finer_mesh;
-      /// the force on the body over that below which the run ends; infinite
-      /// where none ends it
+      /// the force on the body over that below which the run ends if the body
+      /// is cut; infinite where it goes on
       std::function<double(const State &)> remaining_force;
       /// whether cracks of this phase field, with ghosts, separate the body
       std::function<bool(const LinearAlgebra::Vector &)> is_cut;
@@ -108,6 +111,9 @@ namespace MixedCracks
                                        State                 &trial,
                                        StepOutcome           &outcome);
 
+    /// @p factor: length of the step to this iteration over a plain one.
+    void look_for_rest(double factor, StepOutcome &outcome);
+
     void look_for_separation(const State &trial, StepOutcome &outcome) const;
 
     void log_iteration(unsigned int            iteration,
@@ -124,6 +130,7 @@ namespace MixedCracks
     Log                  &log;
 
     FixedPointAcceleration acceleration;
+    RestWatch              stored_energy;
   };
 } // namespace MixedCracks
 

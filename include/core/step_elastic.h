@@ -71,6 +71,10 @@ namespace MixedCracks
     /// supports, and of the fluid in the cracks; N (mJ per mm thickness).
     double external_work(const State &before, const State &after) const;
 
+    /// Loads and reactions times the displacements they act on, after solve():
+    /// twice the stored energy of (u, p) found there; N mm per mm thickness.
+    double loads_times_displacements() const;
+
     const Counts &
     counts() const
     {

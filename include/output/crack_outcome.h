@@ -9,6 +9,9 @@
 
 namespace MixedCracks
 {
+  /// In place of what is not known in 3-d, where cracks have no paths.
+  constexpr const char *not_traced = "not traced";
+
   /// How a body has broken. A side is every boundary that is neither "hole"
   /// nor "notch".
   struct Outcome
@@ -29,6 +32,9 @@ namespace MixedCracks
     /// ways, "elsewhere" in the material; "none" without a crack.
     std::string start = "none";
   };
+
+  /// Whether the cracks of that outcome have cut the body in two.
+  bool separates(const Outcome &outcome);
 
   /// @p edges: all of the boundary. @p nuclei: where damage was seen first, in
   /// that order, mm; the crack nearest to the first of them is the first one,

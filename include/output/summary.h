@@ -6,6 +6,7 @@
 #include <output/statistics.h>
 
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -21,9 +22,12 @@ namespace MixedCracks
     double       length_scale = 0., cell_size = 0.; ///< mm
     double       residual_stiffness = 0.;
     double       thickness          = 1.; ///< mm
-    bool         separated          = false;
-    bool         with_crack_volume  = false;
-    int          dimension          = 2;
+    /// what the cracks say; nothing where they are not traced
+    std::optional<bool> separated;
+    /// below Load stepping/Stop when force falls below, at the end
+    bool         force_fell        = false;
+    bool         with_crack_volume = false;
+    int          dimension         = 2;
     Outcome      cracks;
     std::string  exit_reason;
     int          exit_status    = 0;

@@ -89,12 +89,18 @@ namespace MixedCracks
       return rejected;
     }
 
-    /// Below this the body counts as separated; of the unit of the forces.
+    /// Below this the force has fallen; 0 when that does not end the run. Of
+    /// the unit of the forces.
     double
-    separating_force() const
+    fallen_force() const
     {
       return parameters.stop_fraction * peak;
     }
+
+    /// A body whose cracks join two sides, and that carries less than this, is
+    /// apart, and the run ends with it: what it still carries is that of broken
+    /// cells. 0 when the run goes on. Of the unit of the forces.
+    double force_when_apart() const;
 
     /// Easy steps to come before the step grows again.
     unsigned int

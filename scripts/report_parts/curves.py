@@ -99,7 +99,8 @@ def mark_peak_and_separation(axes, x, force, unit):
     if force.separation is not None:
         left = force.values[force.separation]
         annotated(axes, x[force.separation], left,
-                  "separated: %.3g N left (%.0f %%)" % (left, 100. * left / top),
+                  "%s: %.3g N left (%.0f %%)"
+                  % (force.fall_in_words, left, 100. * left / top),
                   GREEN, (-11, 9 if left < 0.1 * top else -12), "right")
 
 

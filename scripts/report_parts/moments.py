@@ -14,6 +14,7 @@ class Force:
         self.values, self.label = chosen_force(results, component)
         self.peak = None
         self.separation = None
+        self.fall_in_words = fall_in_words(results)
         if self.values is None or not np.isfinite(self.values).any():
             self.values = None
             return
@@ -53,14 +54,23 @@ def separation_threshold(results):
     return fraction if fraction > 0. else SEPARATED_FRACTION
 
 
+def fall_in_words(results):
+    """What a force that is almost gone means: only the cracks tell whether the
+    body is separated, and those of a run in 3-d or without a summary are not
+    known."""
+    return "separated" if results.summary.get("separated") is True else "force fell"
+
+
 def separation_index(force, peak, results):
     """First step after the peak with almost no force left, or None."""
-    if results.summary.get("separated") is False:
+    summary = results.summary
+    if summary.get("separated") is False and summary.get("force_fell") is not True:
         return None
     below = np.nonzero(force[peak:] <= separation_threshold(results) * force[peak])[0]
     if force[peak] > 0. and len(below) and below[0] > 0:
         return peak + int(below[0])
-    if results.summary.get("separated") is True and peak < len(force) - 1:
+    if (summary.get("separated") is True or summary.get("force_fell") is True) \
+            and peak < len(force) - 1:
         return len(force) - 1
     return None
 
@@ -127,7 +137,8 @@ def chosen_moments(results, force, times):
                "before the crack grows")
     exact = abs(times[at_peak] - peak_time) <= small
     choose(at_peak, "at the peak" if exact else "near the peak")
-    choose(separated, "after separation")
+    choose(separated, "after separation" if force.fall_in_words == "separated"
+           else "after the fall of the force")
     for fraction in (0.5, 0.25, 0.75):  # of the crack that grows after the peak
         if len(words) < 6:
             choose(*while_running(results, force, times, fraction, small))

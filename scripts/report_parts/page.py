@@ -89,8 +89,9 @@ def curve_section(results, force):
         note += " Forces are those of the specimen, %s thick." \
             % words.number(thickness, "mm")
     if force.separation is not None:
-        note += " Separated: less than %.0f\u00a0%% of the peak force is left." \
-            % (100. * force.threshold)
+        note += " %s: %.2g\u00a0%% of the peak force is left." % (
+            force.fall_in_words.capitalize(),
+            100. * force.values[force.separation] / force.values[force.peak])
     return section("Force and displacement",
                    drawing + "<p class=\"note\">%s</p>" % note)
 

@@ -107,9 +107,9 @@ def is_number(text):
 def outcome_in_words(results, force):
     """(short, longer) on how the run ended and what became of the body."""
     summary = results.summary
-    separated = summary.get("separated", True if force.separation is not None
-                            else None)
-    state = {True: "separated", False: "not separated"}.get(separated, "")
+    separated, fell = summary.get("separated"), summary.get("force_fell") is True
+    state = "separated" if separated is True else "the force fell" if fell \
+        else "not separated" if separated is False else ""
     if not summary:
         return "unfinished", "no summary was written"
     status = summary.get("exit_status")
@@ -221,7 +221,8 @@ def run_table(results):
              ("displacement_at_peak_mm", "Displacement at peak (mm)"),
              ("time_at_peak_s", "Time at peak (s)"),
              ("remaining_force_fraction", "Remaining force / peak"),
-             ("separated", "Separated"), ("outcome", "Outcome"),
+             ("separated", "Separated"), ("force_fell", "Force fell"),
+             ("outcome", "Outcome"),
              ("outcome_start", "Crack starts at"),
              ("exit_reason", "Exit reason"), ("exit_status", "Exit status"),
              ("wall_time_s", "Wall time")]

@@ -7,8 +7,8 @@ import os
 
 from report_parts import safe
 
-COLUMNS = ("name", "exit_status", "separated", "outcome", "start", "peak_force_N",
-           "displacement_at_peak_mm", "end_displacement_mm",
+COLUMNS = ("name", "exit_status", "separated", "force_fell", "outcome", "start",
+           "peak_force_N", "displacement_at_peak_mm", "end_displacement_mm",
            "remaining_force_fraction", "steps", "rejected_steps", "refinements",
            "coupling_iterations", "factorizations", "dofs", "proportional_steps",
            "wall_time_s")

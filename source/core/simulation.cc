@@ -153,7 +153,7 @@ namespace MixedCracks
           return needs_finer_mesh(phase_field);
         },
         [this](const State &state) {
-          const double limit = load_control.separating_force();
+          const double limit = load_control.force_when_apart();
           return limit > 0. ? force(state).norm() / limit
                             : std::numeric_limits<double>::infinity();
         },

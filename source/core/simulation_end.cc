@@ -110,8 +110,8 @@ namespace MixedCracks
       write_checkpoint(last, cost);
     Summary summary = summarize(outcome, cost);
     summary.cracks  = crack_observer.finish(last.phase_field);
-    if (dim == 3 && summary.separated)
-      summary.cracks.path = "separated";
+    if (dim == 2)
+      summary.separated = separates(summary.cracks);
     std::string message;
     if (Utilities::MPI::this_mpi_process(communicator) == 0)
       message = write_summary(parameters.output.directory + "/summary.json",

@@ -155,7 +155,7 @@ namespace MixedCracks
       row.step, row.time, row.displacement, state.phase_field);
     if (parameters.load.stop_when_separated && joined)
       run_end = RunEnd::separated;
-    if (load_control.has_fallen(row.force_size()))
+    if (load_control.has_fallen(row.force_size()) && run_end == RunEnd::none)
       run_end = RunEnd::force_fell;
     write_fields_when_due(state);
     scope.reset(); // a checkpoint has its own
@@ -240,8 +240,8 @@ namespace MixedCracks
     summary.length_scale       = material->description().length_scale;
     summary.residual_stiffness = material->description().residual_stiffness;
     summary.thickness          = parameters.material.thickness;
-    summary.separated =
-      run_end == RunEnd::separated || run_end == RunEnd::force_fell;
+    summary.force_fell =
+      statistics.rows().back().force_size() < load_control.fallen_force();
     summary.exit_reason       = outcome.reason;
     summary.exit_status       = outcome.exit_status;
     summary.rejected_steps    = cost.rejected_steps;

@@ -351,6 +351,16 @@ namespace MixedCracks
 
   template <int dim>
   double
+  ElasticStep<dim>::loads_times_displacements() const
+  {
+    // solve() left nothing but reactions in the residual
+    return full_residual * iterate + external * iterate;
+  }
+
+
+
+  template <int dim>
+  double
   ElasticStep<dim>::fluid_work(const State &before, const State &after) const
   {
     if (!loads.fluid)

@@ -32,14 +32,6 @@ namespace MixedCracks
 
 
 
-    bool
-    separates(const Outcome &outcome)
-    {
-      return outcome.path != "none" && outcome.path != "arrested";
-    }
-
-
-
     // numbers as they can be sent: four vertices and their values
     using CellNumbers = std::array<double, 12>;
   } // namespace
@@ -318,7 +310,7 @@ namespace MixedCracks
     Outcome                         outcome;
     std::string                     message;
     if (dim == 3)
-      outcome = {"not traced", "not traced"};
+      outcome = {not_traced, not_traced};
     if (file)
     {
       outcome = classify(cracks, edges, damage_origins.nuclei(), length_scale);

@@ -212,6 +212,15 @@ namespace MixedCracks
 
 
 
+  bool
+  separates(const Outcome &outcome)
+  {
+    return outcome.path != "none" && outcome.path != "arrested" &&
+           outcome.path != not_traced;
+  }
+
+
+
   Outcome
   classify(const std::vector<Crack>        &cracks,
            const std::vector<BoundaryEdge> &edges,

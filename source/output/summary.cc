@@ -119,7 +119,11 @@ namespace MixedCracks
     if (summary.with_crack_volume && !rows.empty() &&
         std::isfinite(rows.back().crack_volume))
       json.add("crack_volume_mm3", rows.back().crack_volume);
-    json.raw("separated", summary.separated ? "true" : "false");
+    json.raw("separated",
+             !summary.separated   ? "null"
+             : *summary.separated ? "true"
+                                  : "false");
+    json.raw("force_fell", summary.force_fell ? "true" : "false");
     json.add("outcome", summary.cracks.path);
     json.add("outcome_start", summary.cracks.start);
     json.add("exit_reason", summary.exit_reason);

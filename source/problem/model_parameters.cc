@@ -109,11 +109,13 @@ namespace MixedCracks
       prm.add_parameter(
         "Running crack tolerance",
         model.running_tolerance,
-        "What takes the place of the coupling tolerance in a load step once a "
-        "crack runs in it: when phi fell by more than 0.9 somewhere. What is "
-        "left to change is done by the next step. If it is the larger of the "
-        "two, a step also ends as soon as the body is apart, see Load "
-        "stepping/Stop when force falls below. Unit: 1.",
+        "What takes the place of the coupling tolerance in a load step in which "
+        "a crack has run, phi having fallen by more than 0.9 somewhere, and "
+        "stands: over five iterations, max W - min W <= 5e-5 times the plain "
+        "iterations these are worth times W, W being the loads times their "
+        "displacements. What is left to change is done by the next step. If it "
+        "is the larger of the two, a step also ends as soon as the body is "
+        "apart and the run ends with that, see Load stepping. Unit: 1.",
         Patterns::Double(tiny, 1.));
       prm.add_parameter(
         "Over-relaxation",

@@ -28,6 +28,7 @@ SHORT = {
     "l_shaped_panel.prm": ["Mesh/Adaptive levels=0"],
     "multiple_cracks_homogeneous.prm": ["Mesh/Adaptive levels=0"],
     "multiple_cracks_heterogeneous.prm": ["Mesh/Adaptive levels=0"],
+    "rubber_strip.prm": ["Mesh/Refined boxes="],
     "sneddon_2d.prm": ["Mesh/Refined boxes=-1.5,-0.5 : 1.5,0.5 : 3"],
     "sneddon_2d_incompressible.prm": [
         "Mesh/Refined boxes=-1.5,-0.5 : 1.5,0.5 : 3"],

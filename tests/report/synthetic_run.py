@@ -57,9 +57,9 @@ def write_statistics(directory):
 
 def write_summary(directory, **changes):
     summary = dict(program="mixed-cracks", version="0.1.0", ranks=2, cells=4,
-                   dofs=50, steps=12, peak_force_N=160., separated=True,
+                   dofs=50, steps=12, peak_force_N=160., separated=True, force_fell=True,
                    remaining_force_fraction=0.0625, exit_status=0,
-                   outcome="separated", exit_reason="force fell", wall_time_s=17.)
+                   outcome="through hole", exit_reason="force fell", wall_time_s=17.)
     summary.update(changes)
     write(os.path.join(directory, "summary.json"), json.dumps(summary))
 
@@ -84,7 +84,7 @@ def write_crack_path(directory, closed=True):
     crack(11, 0, "12.5", "notch", "right", [(0., 1.), (1., 1.), (2., 1.)])
     crack(11, 1, "nan", "interior", "top", [(0.5, 1.5), (0.75, 2.)])
     if closed:
-        rows.append("# outcome: separated, from the notch")
+        rows.append("# outcome: through hole; start: notch")
     write(os.path.join(directory, "crack_path.csv"), "\n".join(rows) + "\n")
 
 

@@ -104,6 +104,19 @@ class Report(unittest.TestCase):
         self.assertNotIn("inside the body", text)
         self.assertNotIn("crack_path.csv", text)
 
+    def test_fallen_force_without_separation(self):
+        synthetic_run.write_run(self.directory)
+        for separated in (False, None):  # the crack stands, or nobody knows
+            synthetic_run.write_summary(self.directory, separated=separated,
+                                        force_fell=True, outcome="arrested")
+            text = self.page()
+            self.assertIn("force fell: 10 N left (6 %)", text)
+            self.assertIn("<b>After the fall of the force</b>", text)
+            self.assertIn("Finished, the force fell", text)
+            self.assertNotIn("separated: 10 N", text)
+            self.assertNotIn("After separation", text)
+            self.assertNotIn("Finished, separated", text)
+
     def test_no_outcome(self):
         synthetic_run.write_run(self.directory)
         synthetic_run.write_summary(self.directory, outcome=None)
@@ -237,7 +250,7 @@ class Report(unittest.TestCase):
 
     def test_failed_run(self):
         synthetic_run.write_run(self.directory, coupling="time-lagged")
-        synthetic_run.write_summary(self.directory, exit_status=3, separated=False,
+        synthetic_run.write_summary(self.directory, exit_status=3, separated=False, force_fell=False,
                                     exit_reason="smallest step <1e-4> reached")
         text = self.page()
         self.assertIn("The run did not finish: smallest step &lt;1e-4&gt; reached", text)

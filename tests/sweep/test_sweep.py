@@ -148,8 +148,9 @@ class Runs(Case):
         self.assertIn("[3/3]", process.stdout)
         table = self.table()
         self.assertEqual(list(table), ["first_1", "first_2", "plain"])
-        wanted = dict(exit_status="0", separated="true", outcome="past the hole",
-                      start="notch", peak_force_N="160", displacement_at_peak_mm="20",
+        wanted = dict(exit_status="0", separated="true", force_fell="true",
+                      outcome="past the hole", start="notch", peak_force_N="160",
+                      displacement_at_peak_mm="20",
                       end_displacement_mm="22", remaining_force_fraction="0.0625",
                       steps="12", rejected_steps="4", refinements="",
                       coupling_iterations="36", factorizations="", dofs="50",
@@ -194,7 +195,7 @@ class Runs(Case):
         table = self.table()
         self.assertEqual([table[name]["exit_status"] for name in
                           ("plain", "bad", "worse", "last")], ["0", "3", "9", "0"])
-        self.assertEqual(table["bad"]["outcome"], "separated")
+        self.assertEqual(table["bad"]["outcome"], "through hole")
         self.assertEqual(table["bad"]["start"], "")
         self.assertEqual(table["worse"]["peak_force_N"], "")
         self.assertEqual(table["worse"]["proportional_steps"], "10")

@@ -142,3 +142,16 @@ TEST(CrackOutcome, ACrackFromTheHoleMayReachTheNotch)
   EXPECT_EQ(outcome({to_hole, onward}, true, {{8., 9.}, {3., 3.}}).start,
             "notch");
 }
+
+
+
+// A crack that stands under the hole separates nothing, however little force is
+// left.
+TEST(CrackOutcome, OnlyAConnectionSeparates)
+{
+  EXPECT_FALSE(separates(outcome({})));
+  EXPECT_FALSE(separates(outcome({to_hole})));
+  EXPECT_TRUE(separates(outcome({onward, to_hole})));
+  EXPECT_TRUE(separates(outcome({across})));
+  EXPECT_FALSE(separates({not_traced, not_traced}));
+}

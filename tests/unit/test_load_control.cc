@@ -200,13 +200,33 @@ TEST(LoadControl, StopsWhenTheForceHasFallen)
   for (const double force : {0., 50., 100., 40., 15.01})
     EXPECT_FALSE(control.has_fallen(force)) << force;
   EXPECT_DOUBLE_EQ(control.peak_force(), 100.);
-  EXPECT_DOUBLE_EQ(control.separating_force(), 15.);
+  EXPECT_DOUBLE_EQ(control.fallen_force(), 15.);
+  EXPECT_DOUBLE_EQ(control.force_when_apart(), 15.);
   EXPECT_TRUE(control.has_fallen(14.99));
 
   LoadControl blind(parameters());
   EXPECT_FALSE(blind.has_fallen(100.));
   EXPECT_FALSE(blind.has_fallen(0.));
-  EXPECT_EQ(blind.separating_force(), 0.);
+  EXPECT_EQ(blind.fallen_force(), 0.);
+  EXPECT_EQ(blind.force_when_apart(), 0.);
+}
+
+
+
+// A run that ends with separation does not end with a force that is low.
+TEST(LoadControl, AForceTellsABodyThatIsApartWhateverEndsTheRun)
+{
+  LoadParameters cut_only      = parameters();
+  cut_only.stop_when_separated = true;
+  for (const double fraction : {0., 0.02})
+  {
+    cut_only.stop_fraction = fraction;
+    LoadControl control(cut_only);
+    EXPECT_FALSE(control.has_fallen(100.));
+    EXPECT_FALSE(control.has_fallen(8.));
+    EXPECT_DOUBLE_EQ(control.force_when_apart(), 15.);
+    EXPECT_DOUBLE_EQ(control.fallen_force(), 100. * fraction);
+  }
 }
 
 
