@@ -64,7 +64,7 @@ def limit_ranks(process, program, directory, size):
 def run(options, ranks, directory, *words, limit=None):
     """(exit status or None when it took too long, stdout, stderr)."""
     program = os.path.abspath(options.executable)
-    command = [program, *cases.arguments(cases.STRIP, directory, *words)]
+    command = [program, *cases.arguments(cases.STRIP_SHORT, directory, *words)]
     if ranks > 1:
         command = [options.mpirun, "-n", str(ranks), *command]
 

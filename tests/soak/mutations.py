@@ -35,9 +35,10 @@ def damaged_number(chance, text):
         return chance.choice(EXTREMES)
     one = chance.choice(numbers)
     new = chance.choice(EXTREMES)
-    if chance.random() < 0.3:
+    kind = chance.random()
+    if kind < 0.45:
         new = "%.3g" % (float(one.group()) * 10. ** chance.randint(-4, 2))
-    elif chance.random() < 0.15:
+    elif kind < 0.55:
         new = "-" + one.group()
     return text[:one.start()] + new + text[one.end():]
 
@@ -142,8 +143,10 @@ def other_word(chance, lines):
         lines[index] = with_value(lines[index], chance.choice(words))
 
 
-OPERATORS = [number_to_extreme, number_to_extreme, number_to_extreme,
-             number_to_extreme, empty_value, duplicate_entry, remove_line,
+# numbers more often than the rest: what is no longer a parameter file is
+# refused at once
+OPERATORS = [number_to_extreme] * 12 + [swap_values, other_word] + [
+             empty_value, duplicate_entry, remove_line,
              misspell_name, swap_values, truncate_line, truncate_file, flip_byte,
              break_subsection, punctuation, punctuation, other_word]
 

@@ -66,30 +66,28 @@ class Run:
     """One start of the program; its output goes to a file, so that it never
     waits for a reader."""
 
-    def __init__(self, command, output, **options):
+    def __init__(self, command, program, output, **options):
         self.output = output
-        self.command = command
+        self.program = os.path.basename(program)
         with open(output, "wb") as stream:
             self.process = subprocess.Popen(
                 command, stdin=subprocess.DEVNULL, stdout=stream,
                 stderr=subprocess.STDOUT, start_new_session=True,
-                env=options.pop("env", None) or environment(), **options)
-        self.program = os.path.basename(
-            next(word for word in command if "mixed-cracks" in word))
+                env=environment(**options.pop("env", {})), **options)
         status = status_of(self.process.pid)
         self.own = (self.process.pid, status[2] if status else "")
 
-    def launched(self):
-        """Whether mpirun stands between this script and the ranks."""
-        return "mixed-cracks" not in os.path.basename(self.command[0])
-
     def ranks(self):
-        """[(pid, start time)] of the program itself, mpirun left out."""
-        candidates = descendants(self.process.pid)
-        if not self.launched():
-            candidates.append(self.own)
-        return sorted(each for each in candidates
+        """[(pid, start time)] of the program itself, launchers left out."""
+        return sorted(each for each in self.everyone()
                       if name_of(each[0]) == self.program)
+
+    def mpirun(self):
+        return [each for each in self.everyone()
+                if name_of(each[0]) in ("mpirun", "orterun", "mpiexec")]
+
+    def everyone(self):
+        return [self.own] + descendants(self.process.pid)
 
     def text(self):
         with open(self.output, errors="replace") as stream:
