@@ -68,9 +68,15 @@ CASES = {
 
 
 class Mutant:
-    """A damaged case; the same for the same seed and index."""
+    """A damaged case; the same for the same seed and index. Negative indices
+    are the cases themselves, which must be good."""
 
     def __init__(self, seed, index, cases):
+        if index < 0:
+            self.index, self.name, self.operators = index, cases[index], []
+            self.text = (ROOT / self.name).read_bytes()
+            self.options = settings(self.name)
+            return
         chance = random.Random("%d:%d" % (seed, index))
         self.index = index
         self.name = chance.choice(sorted(cases))
@@ -89,9 +95,11 @@ class Mutant:
 def settings(name):
     """What makes a case coarse and short: two steps."""
     path = ROOT / name
-    return [*SHORT.get(path.name, []), *CASES[name],
-            "Load stepping/End time=%.15g" % (2. * first_step(path)),
-            "Output/Wall time limit=8"]
+    entries = dict(each.split("=", 1) for each in
+                   [*SHORT.get(path.name, []), *CASES[name]])
+    entries["Load stepping/End time"] = "%.15g" % (2. * first_step(path))
+    entries["Output/Wall time limit"] = "8"
+    return ["%s=%s" % each for each in entries.items()]
 
 
 def limit_memory():
@@ -200,6 +208,8 @@ def examine(mutant, options, ground):
         found, status = [], "too large"
     else:
         found = list(offences(status, out, err, place / "mutant-results"))
+        if mutant.index < 0 and status not in (0, 5):
+            found.append("the case itself: exit status %d" % status)
     if found:
         found.append("| " + (err or out).strip()[-options.tail:])
         if options.keep:
@@ -239,7 +249,7 @@ def main():
     print("seed %d" % options.seed, flush=True)
     parts = options.cases.split(",")
     cases = [name for name in CASES if any(part in name for part in parts)]
-    indices = range(options.number) if options.only is None else [options.only]
+    indices = range(-len(cases), options.number) if options.only is None else [options.only]
     mutants = [Mutant(options.seed, index, cases) for index in indices]
     endings, n_failed = collections.Counter(), 0
     with tempfile.TemporaryDirectory() as ground, \
@@ -255,7 +265,8 @@ def main():
                     print("      " + text.replace("\n", "\n      | "), flush=True)
     for status, count in sorted(endings.items()):
         print("%5d ended with %s" % (count, status))
-    print("%d mutants, %d with offences" % (len(mutants), n_failed))
+    print("%d cases and %d mutants of them, %d with offences"
+          % (len(cases), len(mutants) - len(cases), n_failed))
     return 1 if n_failed or not mutants else 0
 
 

@@ -19,8 +19,9 @@ def entries(lines):
     return [index for index, line in enumerate(lines) if ENTRY.match(line)]
 
 
-def any_entry(chance, lines):
-    found = entries(lines)
+def any_entry(chance, lines, with_number=False):
+    found = [index for index in entries(lines) if not with_number
+             or NUMBER.search(ENTRY.match(lines[index]).group(4))]
     return chance.choice(found) if found else None
 
 
@@ -53,8 +54,8 @@ def misspelt(chance, word):
                           word.upper(), word.lower(), word + "s"])
 
 
-def number_to_extreme(chance, lines):
-    index = any_entry(chance, lines)
+def other_number(chance, lines):
+    index = any_entry(chance, lines, with_number=True)
     if index is not None:
         value = ENTRY.match(lines[index]).group(4)
         lines[index] = with_value(lines[index], damaged_number(chance, value))
@@ -145,16 +146,16 @@ def other_word(chance, lines):
 
 # numbers more often than the rest: what is no longer a parameter file is
 # refused at once
-OPERATORS = [number_to_extreme] * 12 + [swap_values, other_word] + [
-             empty_value, duplicate_entry, remove_line,
-             misspell_name, swap_values, truncate_line, truncate_file, flip_byte,
-             break_subsection, punctuation, punctuation, other_word]
+OPERATORS = [other_number] * 24 + [
+    empty_value, duplicate_entry, remove_line, misspell_name, swap_values,
+    truncate_line, truncate_file, flip_byte, break_subsection, punctuation,
+    punctuation, other_word]
 
 
 def mutate(chance, text):
     """(damaged text, names of the operators)."""
     lines = text.split("\n")
-    chosen = [chance.choice(OPERATORS) for _ in range(chance.choice([1, 1, 1, 2, 3]))]
+    chosen = [chance.choice(OPERATORS) for _ in range(chance.choice([1, 1, 2]))]
     for operator in chosen:
         operator(chance, lines)
     return "\n".join(lines), [operator.__name__ for operator in chosen]
