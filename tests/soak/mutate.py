@@ -265,8 +265,9 @@ def main():
                     print("      " + text.replace("\n", "\n      | "), flush=True)
     for status, count in sorted(endings.items()):
         print("%5d ended with %s" % (count, status))
+    n_cases = sum(each.index < 0 for each in mutants)
     print("%d cases and %d mutants of them, %d with offences"
-          % (len(cases), len(mutants) - len(cases), n_failed))
+          % (n_cases, len(mutants) - n_cases, n_failed))
     return 1 if n_failed or not mutants else 0
 
 
