@@ -72,9 +72,12 @@ def uninterrupted(soak):
     """What all others are compared with."""
     directory = soak.folder / "whole"
     run = soak.start(soak.options.ranks[0], directory, way="mpirun")
-    status = soak.finish(run)
+    try:
+        status = soak.finish(run)
+    except Offence as offence:
+        status = str(offence)
     if status != 0:
-        sys.exit("the uninterrupted run failed:\n" + run.text())
+        sys.exit("the uninterrupted run failed: %s\n%s" % (status, run.text()))
     rows, _ = table(directory / "statistics.csv")
     print("uninterrupted on %d ranks: %d steps, a crack runs in step %s"
           % (soak.options.ranks[0], int(rows[-1]["step"]),
