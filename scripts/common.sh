@@ -54,6 +54,27 @@ prepare_mpi() {
   export OMP_NUM_THREADS=1 OPENBLAS_NUM_THREADS=1 DEAL_II_NUM_THREADS=1
 }
 
+# run_stoppably COMMAND...: signals to this script go to the command, and the script
+# goes on when that has ended; the exit status is the command's. Under bash alone a
+# SIGTERM would end the script and leave the command running.
+run_stoppably() {
+  local pid signal
+  set -m # a group of its own, so that Ctrl-C comes once
+  "$@" &
+  pid=$!
+  set +m
+  for signal in TERM INT HUP USR1; do
+    # shellcheck disable=SC2064
+    trap "kill -$signal $pid 2>/dev/null" "$signal"
+  done
+  # "wait" returns early when a signal comes; asked again it knows how it ended
+  while kill -0 "$pid" 2>/dev/null; do
+    wait "$pid" || :
+  done
+  trap - TERM INT HUP USR1
+  wait "$pid"
+}
+
 # configure_and_build DIRECTORY TYPE [TARGET]
 configure_and_build() {
   local directory=$1 type=$2 generator=() home=''

@@ -37,6 +37,10 @@ OUTPUT/sweep.csv has a row per run; what is not known is left empty:
                          below that of step 1; all of them when none has
   wall_time_s
 
+SIGINT (Ctrl-C), SIGTERM, SIGHUP and SIGUSR1 stop the runs that are going on, with
+checkpoints, and start no more; a second Ctrl-C, two seconds later, ends them as they
+are. One sweep at a time has OUTPUT; a second one is refused.
+
 Exit status: 0; 1 when a run failed; 2 for wrong input or usage. Needs Python's
 own library only.
 """
@@ -48,7 +52,7 @@ import signal
 import sys
 
 sys.path.insert(0, os.path.dirname(os.path.realpath(__file__)))
-from sweep_parts import runner, sweep_file, table  # noqa: E402
+from sweep_parts import lock, runner, sweep_file, table  # noqa: E402
 
 
 def found_program():
@@ -140,7 +144,7 @@ def run_those_left(runs, arguments):
         print("%d of %d runs are complete already" % (len(runs) - len(left), len(runs)),
               flush=True)
     workers = runner.Runner(arguments.jobs)
-    for number in (signal.SIGINT, signal.SIGTERM):
+    for number in (signal.SIGINT, signal.SIGTERM, signal.SIGHUP, signal.SIGUSR1):
         signal.signal(number, workers.stop)
     n_done = 0
 
@@ -182,8 +186,24 @@ def main():
             if run.differs():
                 print("%s: was run with other options or another base file"
                       % run.name, file=sys.stderr)
-    else:
+        return write_table(sweep, names, runs, whole, arguments)
+    try:
+        os.makedirs(arguments.output, exist_ok=True)
+        held = lock.Lock(arguments.output)
+    except (lock.InUse, OSError) as error:
+        print("sweep.py: %s" % error, file=sys.stderr)
+        return 2
+    if held.warning:
+        print("sweep.py: warning: %s" % held.warning, file=sys.stderr)
+    try:
         whole = run_those_left(runs, arguments)
+        return write_table(sweep, names, runs, whole, arguments)
+    finally:
+        held.release()
+
+
+def write_table(sweep, names, runs, whole, arguments):
+    """Returns the exit status."""
     # the table is of the whole file, also when only some have been run now
     rows = [table.row_of(name, os.path.join(arguments.output, name))
             for name in sweep.runs]

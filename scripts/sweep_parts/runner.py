@@ -8,7 +8,7 @@ import threading
 import time
 from concurrent.futures import ThreadPoolExecutor, as_completed
 
-from . import table
+from . import lock, table
 
 # One thread per rank; no binding, for several runs share the cores. Open MPI
 # refuses root, the usual user of a container, unless told.
@@ -80,23 +80,41 @@ class Runner:
         self.jobs = jobs
         self.going_on = set()
         self.stopped = False
-        self.lock = threading.Lock()
+        self.stopped_at = 0.
+        self.lock = threading.RLock()
 
-    def stop(self, *_):
-        """Called in the main thread, which never holds the lock."""
+    def stop(self, number, *_):
+        """A handler of signals: asks the runs to write a checkpoint and end; a
+        second Ctrl-C, two seconds later, ends them as they are."""
+        # mpirun passes SIGUSR1 on and waits; after SIGTERM it kills within 1 s
+        how = signal.SIGUSR1
         with self.lock:
+            if not self.stopped:
+                self.stopped_at = time.monotonic()
+            elif number == signal.SIGINT and time.monotonic() > self.stopped_at + 2.:
+                how = signal.SIGTERM
             self.stopped = True
             for process in self.going_on:
                 try:
-                    process.send_signal(signal.SIGTERM)
+                    process.send_signal(how)
                 except OSError:
                     pass
+
+    def status_of(self, process):
+        """Waits for it. A launcher that has just started may lose a signal."""
+        while True:
+            try:
+                return process.wait(5.)
+            except subprocess.TimeoutExpired:
+                if self.stopped:
+                    process.send_signal(signal.SIGUSR1)
 
     def one(self, run):
         """Sets run.status; returns the seconds it took."""
         begin = time.time()
         try:
             os.makedirs(run.directory, exist_ok=True)
+            lock.require_free(run.directory)
             # an old summary must not pass for that of a run that is killed
             summary = os.path.join(run.directory, "summary.json")
             if os.path.exists(summary):
@@ -112,10 +130,13 @@ class Runner:
                         stderr=subprocess.STDOUT, start_new_session=True,
                         env=dict(ENVIRONMENT, **os.environ))
                     self.going_on.add(process)
-                run.status = process.wait()
+                run.status = self.status_of(process)
                 with self.lock:
                     self.going_on.discard(process)
             run.note(run.status)
+        except lock.InUse as error:
+            run.status = 4
+            print("%s: %s" % (run.name, error), flush=True)
         except OSError as error:
             run.status = 127
             print("%s: %s" % (run.name, error), flush=True)

@@ -2,17 +2,24 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 """Stands in for mixed-cracks: writes what a run writes, in no time.
 
-Model/Fail=N leaves with exit status N; Model/Wait=1 waits to be stopped,
+Model/Fail=N leaves with exit status N; Model/Wait=1 waits for SIGUSR1,
 Model/Launcher=1 makes 1 of a failure's exit status as mpirun does. Every start is
 noted in started.txt beside the output directory.
 """
 import os
+import signal
 import sys
 import time
 
 sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)),
                                 os.pardir, "report"))
 import synthetic_run  # noqa: E402
+
+
+def stopped(output):
+    synthetic_run.write_statistics(output)
+    synthetic_run.write_summary(output, exit_status=5)
+    sys.exit(5)
 
 
 def main():
@@ -38,6 +45,9 @@ def main():
     with open(os.path.join(output, "settings.txt"), "w") as stream:
         stream.writelines("%s=%s\n" % pair for pair in sorted(settings.items()))
     if "Model/Wait" in settings:
+        signal.signal(signal.SIGUSR1, lambda *_: stopped(output))
+        with open(os.path.join(output, "waits.txt"), "w") as stream:
+            stream.write("%d\n" % os.getpid())
         time.sleep(600)
     synthetic_run.write_statistics(output)
     status = int(settings.get("Model/Fail", "0"))

@@ -3,6 +3,7 @@
 """scripts/sweep.py with a program that is none, and scripts/study.py on made-up
 runs."""
 import csv
+import fcntl
 import glob
 import os
 import re
@@ -236,7 +237,8 @@ class Runs(Case):
         self.sweep(FILE, "--table-only")
         self.assertEqual(self.table()["plain"]["exit_status"], "0")
 
-    def test_stopped(self):
+    def started_and_waiting(self):
+        """A sweep of two runs, the first of which waits for SIGUSR1."""
         synthetic_run.write(self.path("a.sweep"), "base = base.prm\n"
                             "a = --set Model/Wait=1\nb = --set Model/Wait=1\n")
         process = subprocess.Popen(
@@ -244,14 +246,57 @@ class Runs(Case):
              self.output, "--program", PROGRAM, "--mpirun", ""],
             stdout=subprocess.PIPE, stderr=subprocess.PIPE, universal_newlines=True)
         deadline = time.time() + 60.
-        while not self.started() and time.time() < deadline:
-            time.sleep(0.1)
-        process.send_signal(signal.SIGTERM)
-        output, _ = process.communicate(timeout=60.)
-        self.assertEqual(process.returncode, 1)
-        self.assertIn("1 runs were not started", output)
-        self.assertEqual(self.started(), ["a"])
-        self.assertEqual(self.table()["a"]["exit_status"], "-15")
+        waits = self.path("out", "a", "waits.txt")
+        while not (os.path.exists(waits) and os.path.getsize(waits)):
+            self.assertLess(time.time(), deadline)
+            time.sleep(0.05)
+        return process
+
+    def test_stopped(self):
+        for number in (signal.SIGTERM, signal.SIGINT, signal.SIGHUP):
+            process = self.started_and_waiting()
+            process.send_signal(number)
+            output, _ = process.communicate(timeout=60.)
+            self.assertEqual(process.returncode, 1)
+            self.assertIn("1 runs were not started", output)
+            self.assertEqual(self.started(), ["a"])
+            # in order, and not killed
+            self.assertEqual(self.table()["a"]["exit_status"], "5")
+            shutil.rmtree(self.output)
+
+    def test_one_sweep_at_a_time(self):
+        first = self.started_and_waiting()
+        before = self.text("out", "started.txt")
+        for arguments in ((), ("--again", "--only", "b")):
+            process = called(SWEEP, self.path("a.sweep"), "--output", self.output,
+                             "--program", PROGRAM, "--mpirun", "", *arguments)
+            self.assertEqual(process.returncode, 2)
+            self.assertRegex(process.stderr, r"is in use by process %d on host \S+ "
+                             r"since 20" % first.pid)
+            self.assertEqual(process.stderr.count("\n"), 1, process.stderr)
+        self.assertEqual(self.text("out", "started.txt"), before)
+        # to look at what there is does no harm
+        self.sweep(FILE, "--table-only")
+        first.kill()
+        first.communicate()
+        os.kill(int(self.text("out", "a", "waits.txt")), signal.SIGKILL)
+        self.sweep(FILE)
+        self.assertEqual(self.table()["plain"]["exit_status"], "0")
+        self.assertFalse(os.path.exists(self.path("out", ".lock")))
+
+    def test_a_run_that_goes_on_is_left_alone(self):
+        os.makedirs(self.path("out", "plain"))
+        synthetic_run.write(self.path("out", "plain", "screen.txt"), "at work\n")
+        with open(self.path("out", "plain", ".lock"), "w") as stream:
+            fcntl.flock(stream, fcntl.LOCK_EX)
+            stream.write("host here\nprocess 7\nsince today\n")
+            stream.flush()
+            process = self.sweep(FILE, status=1)
+            self.assertIn("is in use by process 7 on host here since today",
+                          process.stdout)
+        self.assertIn("failed: plain", process.stderr)
+        self.assertEqual(self.text("out", "plain", "screen.txt"), "at work\n")
+        self.assertEqual(self.started(), ["first_1", "first_2"])
 
 
 # Of two cells with points of their own, one above the other: how many edges the

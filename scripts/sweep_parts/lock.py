@@ -1,0 +1,100 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""Keeps other processes out of a directory, as mixed-cracks does: by a lock of the
+operating system on the file .lock in it, which is gone with its process."""
+import errno
+import os
+import socket
+import time
+
+try:
+    import fcntl
+except ImportError:  # no locks on this system
+    fcntl = None
+
+NAME = ".lock"
+# what says that there are no locks, rather than that it is taken
+NO_LOCKS = (errno.ENOLCK, errno.ENOSYS, errno.EINVAL, errno.EOPNOTSUPP)
+
+
+class InUse(Exception):
+    """The message names directory and holder."""
+
+
+def holder_of(path):
+    """In words, from the contents of a lock file."""
+    known = {}
+    try:
+        with open(path, encoding="utf-8", errors="replace") as stream:
+            for line in stream:
+                word, _, rest = line.strip().partition(" ")
+                known[word] = rest
+    except OSError:
+        pass
+    if not all(known.get(word) for word in ("host", "process", "since")):
+        return "another process"
+    return "process %(process)s on host %(host)s since %(since)s" % known
+
+
+def refused(directory):
+    return InUse("'%s' is in use by %s" % (directory,
+                                           holder_of(os.path.join(directory, NAME))))
+
+
+class Lock:
+    """Of a directory that exists; held until release() or the end of the process.
+    Raises InUse. `warning` tells when the file system has no locks."""
+
+    def __init__(self, directory):
+        self.path = os.path.join(directory, NAME)
+        self.stream, self.warning = None, ""
+        while self.stream is None:
+            # inherited by nobody: Python opens files so
+            stream = open(self.path, "a+", encoding="utf-8")
+            try:
+                if fcntl is None:
+                    raise OSError(errno.ENOSYS, "no locks")
+                fcntl.flock(stream, fcntl.LOCK_EX | fcntl.LOCK_NB)
+            except OSError as error:
+                if error.errno not in NO_LOCKS:
+                    stream.close()
+                    raise refused(directory) from None
+                self.warning = "the file system of '%s' has no locks: see to it that " \
+                    "there is one sweep at a time" % directory
+            # its last holder may have removed it meanwhile
+            if self.warning or is_at(self.path, stream):
+                self.stream = stream
+            else:
+                stream.close()
+        self.stream.truncate(0)
+        self.stream.write("host %s\nprocess %d\nsince %s\n" % (
+            socket.gethostname(), os.getpid(),
+            time.strftime("%Y-%m-%d %H:%M:%S UTC", time.gmtime())))
+        self.stream.flush()
+
+    def release(self):
+        if is_at(self.path, self.stream):
+            os.remove(self.path)
+        self.stream.close()
+
+
+def is_at(path, stream):
+    """Whether a name still leads to an open file."""
+    try:
+        return os.path.samestat(os.stat(path), os.fstat(stream.fileno()))
+    except OSError:
+        return False
+
+
+def require_free(directory):
+    """Raises InUse when a process has the directory; touches nothing."""
+    try:
+        stream = open(os.path.join(directory, NAME), encoding="utf-8")
+    except OSError:
+        return
+    with stream:
+        try:
+            if fcntl is not None:
+                fcntl.flock(stream, fcntl.LOCK_SH | fcntl.LOCK_NB)
+        except OSError as error:
+            if error.errno not in NO_LOCKS:
+                raise refused(directory) from None
