@@ -38,7 +38,10 @@ class Runner:
     def command(self, directory, *options, settings=(), ranks=1):
         command = [*self.launcher, "-n", str(ranks), self.executable, str(CASE),
                    "--output", str(directory), *options]
-        for setting in (*QUICK, *settings):
+        # an entry may be set once only: the last one counts
+        chosen = {setting.split("=")[0]: setting
+                  for setting in (*QUICK, *settings)}
+        for setting in chosen.values():
             command += ["--set", setting]
         return command
 
