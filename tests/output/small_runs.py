@@ -6,7 +6,7 @@ import json
 import os
 import subprocess
 
-N_CELLS = 8  # per side of 1 mm
+N_CELLS = 20  # per side of 1 mm
 
 CASE = """\
 subsection Geometry

@@ -47,7 +47,7 @@ def check_tables(folder, n_rows):
     for row in rows:
         for name, value in row.items():
             assert math.isfinite(float(value)), (name, value)
-    for name in ("crack_path.csv", "crack_opening.csv"):
+    for name in ("crack_path.csv", "crack_opening.csv") if n_rows else ():
         for row in table_of(folder, name):
             assert not {"nan", "inf", "-nan", "-inf"} & set(row.values()), row
 
