@@ -63,6 +63,7 @@ namespace MixedCracks
   public:
     struct Callbacks
     {
+      /// asked wherever a step can be left; collective
       std::function<bool()> stop_requested;
       /// whether this phase field, with ghosts, needs finer cells
       std::function<bool(const LinearAlgebra::Vector &)> needs_finer_mesh;
@@ -107,6 +108,10 @@ namespace MixedCracks
                                        const FixedPhaseField &fixed,
                                        State                 &trial,
                                        StepOutcome           &outcome);
+
+    /// The outcome of a step that was not solved, for @p reason or because the
+    /// run is to stop.
+    StepOutcome left(StepOutcome outcome, const std::string &reason) const;
 
     void look_for_separation(const State &trial, StepOutcome &outcome) const;
 
