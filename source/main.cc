@@ -11,12 +11,14 @@
 
 #include <output/directory.h>
 #include <output/disk.h>
+#include <output/run_lock.h>
 
 #include <Trilinos_version.h>
 
 #include <exception>
 #include <functional>
 #include <iostream>
+#include <memory>
 #include <sstream>
 
 namespace
@@ -75,6 +77,30 @@ namespace
 
 
 
+  // Keeps other processes out of the output directory. Rank 0 has it.
+  std::unique_ptr<const RunLock>
+  lock_output(const std::string &directory)
+  {
+    std::unique_ptr<const RunLock> lock;
+    std::string                    message;
+    if (on_first_rank())
+      try
+      {
+        lock = std::make_unique<const RunLock>(directory);
+      }
+      catch (const FileError &error)
+      {
+        message = error.what();
+      }
+    throw_on_all_ranks(message, MPI_COMM_WORLD);
+    if (lock && !lock->warning().empty())
+      std::cerr << "mixed-cracks: warning: " << lock->warning() << '.'
+                << std::endl;
+    return lock;
+  }
+
+
+
   // Errors of the user are kept until the simulation is gone: its timers and
   // its files must not be cleared away while an exception is on its way, and
   // a run that was refused before its first result leaves no files.
@@ -101,6 +127,10 @@ namespace
         refusal = std::current_exception();
       }
       catch (const FileError &)
+      {
+        refusal = std::current_exception();
+      }
+      catch (const StoppedEarly &)
       {
         refusal = std::current_exception();
       }
@@ -149,7 +179,12 @@ namespace
                             : command.resume  ? ExistingRun::resume
                                               : ExistingRun::refuse);
     };
-    listen_for_stop_requests();
+    std::unique_ptr<const RunLock> lock;
+    if (!command.check)
+    {
+      listen_for_stop_requests();
+      lock = lock_output(parameters.output.directory);
+    }
     return simulate<dim>(
              parameters, effective.str(), case_signature(prm), action)
       .exit_status;
@@ -206,6 +241,12 @@ main(int argc, char **argv)
   catch (const FileError &error)
   {
     return report(error.what(), 4);
+  }
+  catch (const StoppedEarly &stop)
+  {
+    if (on_first_rank())
+      std::cerr << "mixed-cracks: " << stop.what() << std::endl;
+    return stop.exit_status;
   }
   catch (const std::exception &error)
   {

@@ -6,6 +6,7 @@
 #include <core/parameters.h>
 #include <core/simulation_material.h>
 #include <core/simulation_setup.h>
+#include <core/stop_poll.h>
 
 #include <deal.II/distributed/tria.h>
 
@@ -111,7 +112,20 @@ namespace MixedCracks
 
     void write_checkpoint(const State &state, const RunTotals &cost);
 
-    bool stop_now() const;
+    /// Whether the run is to stop, asked of all ranks; logs the first yes.
+    bool stop_now(const std::string &finished);
+
+    /// The same where a step would begin: also when it would take too long.
+    bool stop_before_a_step();
+
+    /// Note how long a checkpoint took that was written since @p begin.
+    void note_checkpoint(double begin);
+
+    /// To be called when stopping: whether there is something to continue.
+    RunEnd how_stopped() const;
+
+    /// Throws StoppedEarly where there is nothing to be written yet.
+    void leave_early_if_asked(const std::string &finished);
 
     /// Predict the step, refine where the prediction damages coarse cells
     /// and correct it, until nothing is left to refine.
@@ -167,6 +181,7 @@ namespace MixedCracks
     Log                   &log;
     dealii::TimerOutput    timer;
     dealii::Timer          wall_clock;
+    StopPoll               stop_poll;
 
     dealii::parallel::distributed::Triangulation<dim> triangulation;
     double                                            cell_size = 0.; // mm

@@ -14,7 +14,8 @@ namespace MixedCracks
   bool has_launcher(const std::vector<std::string> &environment);
 
   /// Variables, names and values, that make Open MPI start faster where this
-  /// process is the only one: no daemon beside it, no look at the network.
+  /// process is the only one: no daemon beside it, no look at the network, no
+  /// temporary files that others of its kind would share and remove.
   /// Without those that @p environment has already, and none with a launcher.
   std::vector<std::pair<std::string, std::string>>
   single_process_settings(const std::vector<std::string> &environment);

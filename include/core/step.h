@@ -66,6 +66,7 @@ namespace MixedCracks
   public:
     struct Callbacks
     {
+      /// asked wherever a step can be left; collective
       std::function<bool()> stop_requested;
       /// whether this phase field, with ghosts, needs finer cells
       std::function<bool(const LinearAlgebra::Vector &)> needs_finer_mesh;
@@ -113,6 +114,10 @@ namespace MixedCracks
 
     /// @p factor: length of the step to this iteration over a plain one.
     void look_for_rest(double factor, StepOutcome &outcome);
+
+    /// The outcome of a step that was not solved, for @p reason or because the
+    /// run is to stop.
+    StepOutcome left(StepOutcome outcome, const std::string &reason) const;
 
     void look_for_separation(const State &trial, StepOutcome &outcome) const;
 

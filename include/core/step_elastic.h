@@ -7,6 +7,7 @@
 #include <assembly/fluid_assembler.h>
 
 #include <core/state.h>
+#include <core/stop_request.h>
 
 #include <deal.II/base/timer.h>
 
@@ -51,7 +52,8 @@ namespace MixedCracks
                 Assembler<dim>         &assembler,
                 Loads<dim>              loads,
                 dealii::TimerOutput    &timer,
-                const SolverParameters &solver_parameters = {});
+                const SolverParameters &solver_parameters = {},
+                StopCheck               stop              = {});
 
     /// To be called when the mesh changed.
     LinearOutcome reinit();
@@ -97,6 +99,9 @@ namespace MixedCracks
 
     LinearSystem describe_system();
 
+    /// Ask, and remember the answer for Newton's method.
+    bool ask_to_stop(const std::string &finished);
+
     /// Of body force and tractions.
     LinearAlgebra::Vector dead_loads(double time) const;
 
@@ -122,6 +127,8 @@ namespace MixedCracks
 
     const std::string             solver_name;
     const LinearSolverOptions     solver_options;
+    const StopCheck               stop;
+    bool                          is_stopped = false;
     LinearSolverChoice            choice;
     AssembledAuxiliaries<dim>     auxiliaries;
     std::vector<bool>             pressure_dofs; // owned ones, in order

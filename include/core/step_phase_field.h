@@ -37,7 +37,8 @@ namespace MixedCracks
                    const Material<dim>                 &material,
                    Assembler<dim>                      &assembler,
                    std::shared_ptr<FluidAssembler<dim>> fluid,
-                   dealii::TimerOutput                 &timer);
+                   dealii::TimerOutput                 &timer,
+                   StopCheck                            stop = {});
 
     /// To be called when the mesh changed.
     void reinit();
@@ -58,6 +59,7 @@ namespace MixedCracks
     Assembler<dim>                            &assembler;
     const std::shared_ptr<FluidAssembler<dim>> fluid;
     dealii::TimerOutput                       &timer;
+    const StopCheck                            stop;
     ActiveSetSolver                            solver;
     /// the matrix does not depend on the phase field, so that one active-set
     /// solution is the end

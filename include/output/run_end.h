@@ -16,7 +16,8 @@ namespace MixedCracks
     end_time,   ///< Load stepping/End time is reached
     onset,      ///< Load stepping/Stop at onset: a crack begins to run
     failed,     ///< no way on, exit status 3
-    stopped     ///< by a signal or the clock, exit status 5
+    stopped,    ///< by a signal or the clock, exit status 5
+    out_of_time ///< no step fits into Output/Wall time limit, exit status 3
   };
 
   /// The exit status that belongs to it, as in doc/output.md.

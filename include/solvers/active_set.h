@@ -3,6 +3,7 @@
 #define mixed_cracks_solvers_active_set_h
 
 #include <core/linear_algebra.h>
+#include <core/stop_request.h>
 
 #include <solvers/free_block_preconditioner.h>
 
@@ -27,6 +28,8 @@ namespace MixedCracks
     /// of the unit of residual / scale: matrix + concavity * scale is
     /// positive definite whatever is free
     double concavity = 0.;
+    /// asked in every iteration, and in some of each linear solve
+    StopCheck stop = {};
   };
 
   struct ActiveSetOptions

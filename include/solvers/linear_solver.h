@@ -4,6 +4,7 @@
 
 #include <core/linear_algebra.h>
 #include <core/registry.h>
+#include <core/stop_request.h>
 
 #include <functional>
 #include <memory>
@@ -64,6 +65,8 @@ namespace MixedCracks
     /// does the work handed over and books its time as set-up, not as
     /// solution; may be empty
     std::function<void(const std::function<void()> &work)> as_set_up;
+    /// asked in every iteration and after a set-up
+    StopCheck stop;
   };
 
   /// Options of all solvers; each takes what concerns it.

@@ -68,6 +68,9 @@ namespace MixedCracks
     std::function<LinearOutcome(double relative_tolerance)> solve;
     /// Move the iterate by @p factor times the correction.
     std::function<void(double factor)> move;
+    /// Whether to leave without a solution; may be empty. The same on every
+    /// rank.
+    std::function<bool()> is_to_stop;
   };
 
   /// Semismooth Newton with bisection line search. Between the kinks of the

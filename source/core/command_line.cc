@@ -213,7 +213,9 @@ Options:
   --help            print this text
 
 Exit status: 0 finished; 2 bad input; 3 the calculation cannot go on, last
-accepted state written; 4 file trouble; 5 stopped on request with a checkpoint.
+accepted state written; 4 file trouble; 5 stopped on request with a checkpoint;
+6 stopped on request before there was anything to continue from. To stop a run,
+kill -USR1 its mpirun, or start it with mixed-cracks-run and press Ctrl-C.
 )";
   }
 } // namespace MixedCracks

@@ -24,6 +24,7 @@ namespace MixedCracks
             std::cout,
             TimerOutput::never,
             TimerOutput::wall_times)
+    , stop_poll(communicator, parameters.output.wall_time_limit)
     , triangulation(communicator)
     , fields(triangulation,
              {parameters.model.mixed(), parameters.model.degree()})
@@ -65,7 +66,9 @@ namespace MixedCracks
     }
     inspect_output(existing);
     preflight();
+    leave_early_if_asked("making the mesh");
     State accepted = first_state();
+    stop_poll.heed_the_clock();
     if (resumed)
       run_end = end_of_resumed_run(accepted);
     had_ended = run_end != RunEnd::none && resumed;
@@ -134,19 +137,22 @@ namespace MixedCracks
     const unsigned int n_components = fields.elastic.get_fe().n_components();
     assembler                       = std::make_unique<Assembler<dim>>(
       fields, *material, constants_function(parameters.model, *material_field));
-    Loads<dim> loads = make_loads(parameters, n_components);
-    loads.fluid      = make_fluid(parameters, fields);
-    elastic_step     = std::make_unique<ElasticStep<dim>>(
-      fields, constraints, *assembler, loads, timer, parameters.solver);
+    Loads<dim> loads     = make_loads(parameters, n_components);
+    loads.fluid          = make_fluid(parameters, fields);
+    const StopCheck stop = [this](const std::string &finished) {
+      return stop_now(finished);
+    };
+    elastic_step = std::make_unique<ElasticStep<dim>>(
+      fields, constraints, *assembler, loads, timer, parameters.solver, stop);
     phase_field_step = std::make_unique<PhaseFieldStep<dim>>(
-      fields, constraints, *material, *assembler, loads.fluid, timer);
+      fields, constraints, *material, *assembler, loads.fluid, timer, stop);
     step_solver = std::make_unique<StepSolver<dim>>(
       *elastic_step,
       *phase_field_step,
       coupling_options(parameters.model),
       parameters.solver.newton,
       typename StepSolver<dim>::Callbacks{
-        [this]() { return stop_now(); },
+        [this]() { return stop_now("coupling iteration"); },
         [this](const LinearAlgebra::Vector &phase_field) {
           if (!statistics.rows().empty())
             crack_observer.watch(phase_field);
@@ -203,11 +209,14 @@ namespace MixedCracks
 
     // Around slits and initial cracks the phase field takes its profile
     // before any load: this is no damage of the first step.
+    leave_early_if_asked("analysis of the matrix");
     log.line("");
     log.line("step 0: profile of the initial cracks");
     State             relaxed = state;
     const StepOutcome outcome =
       solve_step(state, relaxed, std::numeric_limits<double>::infinity());
+    if (outcome.interrupted)
+      leave_early_if_asked("step 0");
     if (!outcome.solved)
       throw SolverError("the initial state cannot be computed: " +
                         outcome.reason);
@@ -238,6 +247,9 @@ namespace MixedCracks
         step_solver->solve(accepted, fixed_phase_field, bound, outcome, trial);
       if (!outcome.mesh_is_too_coarse)
         return outcome;
+      outcome.interrupted = stop_now("coupling iteration");
+      if (outcome.interrupted)
+        return outcome;
       refine(accepted, trial);
     }
   }
@@ -266,8 +278,8 @@ namespace MixedCracks
   {
     while (true)
     {
-      if (stop_now())
-        return RunEnd::stopped;
+      if (stop_before_a_step())
+        return how_stopped();
       State trial     = accepted;
       trial.time      = load_control.target_time();
       trial.time_step = load_control.step();
@@ -280,7 +292,10 @@ namespace MixedCracks
       const double        bound   = load_control.phase_field_bound();
       StepOutcome         outcome = solve_step(accepted, trial, bound);
       if (outcome.interrupted)
-        return RunEnd::stopped;
+      {
+        crack_observer.take_back(origins);
+        return how_stopped();
+      }
       StatisticsRow row;
       if (outcome.solved && outcome.phase_field_change <= bound)
       {

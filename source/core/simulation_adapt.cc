@@ -64,6 +64,7 @@ namespace MixedCracks
     // be damaged over the width of a coarse cell
     while (true)
     {
+      leave_early_if_asked("refinement of the first mesh");
       const LinearAlgebra::Vector start =
         initial_phase_field(parameters, fields, constraints);
       LinearAlgebra::Vector phase_field =

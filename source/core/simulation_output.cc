@@ -264,9 +264,9 @@ namespace MixedCracks
     const State &, const State &, const StepOutcome &);                        \
   template void Simulation<dim>::record(const StatisticsRow &, const State &); \
   template Tensor<1, dim> Simulation<dim>::force(const State &) const;         \
-  template double Simulation<dim>::smallest_phase_field(const State &) const;  \
-  template void   Simulation<dim>::write_fields_when_due(const State &);       \
-  template void   Simulation<dim>::write_fields(const State &, unsigned int);  \
+  template double  Simulation<dim>::smallest_phase_field(const State &) const; \
+  template void    Simulation<dim>::write_fields_when_due(const State &);      \
+  template void    Simulation<dim>::write_fields(const State &, unsigned int); \
   template Summary Simulation<dim>::summarize(const RunOutcome &,              \
                                               const RunTotals &);
   INSTANTIATE(2)

@@ -1,33 +1,16 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include <core/simulation.h>
-#include <core/stop_request.h>
 
 namespace MixedCracks
 {
   using namespace dealii;
 
   template <int dim>
-  bool
-  Simulation<dim>::stop_now() const
-  {
-    // there is no state to continue from before the first one is recorded
-    if (statistics.rows().empty())
-      return false;
-    const double limit = parameters.output.wall_time_limit;
-    // every rank has to come to the same answer
-    const bool out_of_time =
-      limit > 0. &&
-      Utilities::MPI::max(wall_clock.wall_time(), communicator) > limit;
-    return stop_requested(communicator) || out_of_time;
-  }
-
-
-
-  template <int dim>
   void
   Simulation<dim>::write_checkpoint(const State &state, const RunTotals &cost)
   {
     TimerOutput::Scope scope(timer, "output");
+    const double       begin = stop_poll.now();
     RunRecord          record;
     record.signature          = signature.problem;
     record.attempt            = signature.attempt;
@@ -52,6 +35,7 @@ namespace MixedCracks
     record.tables      = {{"crack_path.csv", crack_observer.path_rows()},
                           {"crack_opening.csv", crack_opening_file.rows()}};
     checkpoint.write(record, state, fields, triangulation);
+    note_checkpoint(begin);
   }
 
 
@@ -94,7 +78,6 @@ namespace MixedCracks
 
 
 #define INSTANTIATE(dim)                                               \
-  template bool  Simulation<dim>::stop_now() const;                    \
   template void  Simulation<dim>::write_checkpoint(const State &,      \
                                                   const RunTotals &); \
   template State Simulation<dim>::resumed_state();

@@ -10,6 +10,9 @@ namespace MixedCracks
 {
   namespace
   {
+    // settings that make sense with the daemon of a singleton, too
+    constexpr std::size_t n_with_daemon = 3;
+
     bool
     begins_with(const std::string &text, const std::string &begin)
     {
@@ -76,20 +79,30 @@ namespace MixedCracks
     // speak to other processes; ob1 over "self" is all that one needs. In the
     // environment these win over Open MPI's files of parameters
     // (openmpi-mca-params.conf), which are written for runs on many.
+    // Without the daemon all such processes of a user have one number and one
+    // directory for temporary files, which the first one to end takes away
+    // from the others. One process needs no such files: no directory, and none
+    // of the shared file pointers that would look for it (MPI-IO works).
     std::vector<std::pair<std::string, std::string>> settings{
       {"OMPI_MCA_ess_singleton_isolated", "1"},
       {"OMPI_MCA_pml", "ob1"},
-      {"OMPI_MCA_btl", "self"}};
+      {"OMPI_MCA_btl", "self"},
+      {"OMPI_MCA_orte_create_session_dirs", "0"},
+      {"OMPI_MCA_sharedfp", "^sm"}};
+    const auto is_given = [&environment](const std::string &name) {
+      return std::any_of(environment.begin(),
+                         environment.end(),
+                         [&](const std::string &variable) {
+                           return begins_with(variable, name + "=");
+                         });
+    };
+    // who wants the daemon has its directory
+    if (is_given(settings.front().first))
+      settings.resize(n_with_daemon);
     settings.erase(std::remove_if(settings.begin(),
                                   settings.end(),
                                   [&](const auto &setting) {
-                                    return std::any_of(
-                                      environment.begin(),
-                                      environment.end(),
-                                      [&](const std::string &variable) {
-                                        return begins_with(variable,
-                                                           setting.first + "=");
-                                      });
+                                    return is_given(setting.first);
                                   }),
                    settings.end());
     return settings;

@@ -251,6 +251,17 @@ namespace MixedCracks
 
   template <int dim>
   StepOutcome
+  StepSolver<dim>::left(StepOutcome outcome, const std::string &reason) const
+  {
+    outcome.interrupted = callbacks.stop_requested();
+    outcome.reason = outcome.interrupted ? "the run was asked to stop" : reason;
+    return outcome;
+  }
+
+
+
+  template <int dim>
+  StepOutcome
   StepSolver<dim>::solve(const State           &accepted,
                          const FixedPhaseField &fixed,
                          const double           bound,
@@ -276,10 +287,7 @@ namespace MixedCracks
       outcome.newton_iterations += newton.iterations;
       outcome.linear_iterations += newton.linear_iterations;
       if (!newton.converged)
-      {
-        outcome.reason = newton.reason;
-        return outcome;
-      }
+        return left(outcome, newton.reason);
       const ActiveSetOutcome active_set =
         solve_phase_field(accepted, fixed, trial, outcome);
       log_iteration(outcome.coupling_iterations,
@@ -287,10 +295,7 @@ namespace MixedCracks
                     active_set,
                     outcome.coupling_change);
       if (!active_set.converged)
-      {
-        outcome.reason = active_set.reason;
-        return outcome;
-      }
+        return left(outcome, active_set.reason);
       if (!(outcome.phase_field_change > bound) &&
           callbacks.needs_finer_mesh(trial.phase_field))
       {
@@ -313,11 +318,7 @@ namespace MixedCracks
         return outcome;
       }
       if (callbacks.stop_requested())
-      {
-        outcome.interrupted = true;
-        outcome.reason      = "the run was asked to stop";
-        return outcome;
-      }
+        return left(outcome, "");
       // a settled phase field stays, for displacements that are not
       // accurate enough yet
       factor = 0.;

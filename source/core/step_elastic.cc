@@ -21,6 +21,8 @@ namespace MixedCracks
     // a factorisation.
     constexpr double largest_degradation_change = 0.5;
 
+    const char *const asked_to_stop = "asked to stop";
+
     // no number where the scale has overflown: nothing is small beside it
     double
     relative(const double size, const double scale)
@@ -39,7 +41,8 @@ namespace MixedCracks
                                 Assembler<dim>         &assembler,
                                 Loads<dim>              loads,
                                 TimerOutput            &timer,
-                                const SolverParameters &solver_parameters)
+                                const SolverParameters &solver_parameters,
+                                StopCheck               stop)
     : fields(fields)
     , constraints(constraints)
     , assembler(assembler)
@@ -47,6 +50,7 @@ namespace MixedCracks
     , timer(timer)
     , solver_name(solver_parameters.name)
     , solver_options(solver_parameters.linear)
+    , stop(std::move(stop))
     , auxiliaries(fields, constraints)
   {}
 
@@ -123,6 +127,9 @@ namespace MixedCracks
         result.pressure = &auxiliaries.pressure();
       return result;
     };
+    system.stop = [this](const std::string &finished) {
+      return ask_to_stop(finished);
+    };
     // in the middle of a solution, see solve_for_correction()
     system.as_set_up = [this](const std::function<void()> &work) {
       timer.leave_subsection("solve");
@@ -133,6 +140,16 @@ namespace MixedCracks
       timer.enter_subsection("solve");
     };
     return system;
+  }
+
+
+
+  template <int dim>
+  bool
+  ElasticStep<dim>::ask_to_stop(const std::string &finished)
+  {
+    is_stopped = is_to_stop(stop, finished) || is_stopped;
+    return is_stopped;
   }
 
 
@@ -238,6 +255,7 @@ namespace MixedCracks
       squares[pressure_dofs[i] ? 1 : 0] += values[i] * values[i];
     Utilities::MPI::sum(squares, fields.communicator(), squares);
     const double load = external.l2_norm();
+    ask_to_stop("assembly of the residual");
     return {relative(std::sqrt(squares[0]),
                      std::max(assessment.displacement_scale, load)),
             relative(std::sqrt(squares[1]), assessment.pressure_scale)};
@@ -259,10 +277,14 @@ namespace MixedCracks
       TimerOutput::Scope scope(timer, "assembly");
       assembler.elastic_matrix(constraints.elastic_corrections(), matrix);
     }
+    if (ask_to_stop("assembly of the matrix"))
+      return {false, 0, asked_to_stop};
     TimerOutput::Scope  scope(timer, "factorisation");
     const unsigned int  before  = solver->n_setups();
     const LinearOutcome outcome = solver->factorize();
     count.factorizations += solver->n_setups() - before;
+    if (ask_to_stop("factorisation, " + solver->description()))
+      return {false, 0, asked_to_stop};
     return outcome;
   }
 
@@ -280,6 +302,8 @@ namespace MixedCracks
       solver->solve(correction, residual, relative_tolerance);
     count.factorizations += solver->n_setups() - before;
     constraints.elastic_corrections().distribute(correction);
+    if (ask_to_stop("solution, " + solver->description()))
+      return {false, outcome.iterations, asked_to_stop};
     return outcome;
   }
 
@@ -289,9 +313,11 @@ namespace MixedCracks
   NewtonOutcome
   ElasticStep<dim>::solve(State &trial, const NewtonOptions &options)
   {
-    iterate  = trial.elastic;
-    external = external_forces(trial.time, trial.lagged_phase_field);
+    iterate    = trial.elastic;
+    external   = external_forces(trial.time, trial.lagged_phase_field);
+    is_stopped = false;
     NewtonProblem problem;
+    problem.is_to_stop    = [&]() { return is_stopped; };
     problem.residual      = [&]() { return evaluate_residual(trial); };
     problem.update_matrix = [&](const bool force) {
       return update_matrix(force);

@@ -63,12 +63,14 @@ namespace MixedCracks
     const Material<dim>                 &material,
     Assembler<dim>                      &assembler,
     std::shared_ptr<FluidAssembler<dim>> fluid,
-    TimerOutput                         &timer)
+    TimerOutput                         &timer,
+    StopCheck                            stop)
     : fields(fields)
     , constraints(constraints)
     , assembler(assembler)
     , fluid(std::move(fluid))
     , timer(timer)
+    , stop(std::move(stop))
     , solver(options_for(energy_density(material, assembler.constants_vary())))
     , is_quadratic(has_constant_curvature(material.crack_density()))
     , concavity(
@@ -147,11 +149,13 @@ namespace MixedCracks
     iterate                      = trial.phase_field;
     const auto          &hanging = constraints.phase_field_hanging_nodes();
     const BoundedProblem problem{
-      matrix, lower, upper, mass, constrained, concavity};
+      matrix, lower, upper, mass, constrained, concavity, stop};
     ActiveSetOutcome total;
     for (unsigned int i = 0; i < max_newton_iterations; ++i)
     {
       assemble(trial);
+      if (is_to_stop(stop, "assembly of the phase field"))
+        break;
       const ActiveSetOutcome outcome = solver.solve(problem, iterate, residual);
       hanging.distribute(iterate);
       trial.phase_field = iterate;

@@ -1,20 +1,45 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include <core/stop_request.h>
 
-#include <deal.II/base/mpi.h>
-
+#include <atomic>
 #include <csignal>
+
+#include <signal.h>
+#include <time.h>
 
 namespace MixedCracks
 {
   namespace
   {
+    // a second Ctrl-C sooner than this is the same one
+    constexpr double same_request = 2.; // s
+
     volatile std::sig_atomic_t requested = 0;
+    std::atomic<double>        time_of_request{0.}; // s
+    static_assert(std::atomic<double>::is_always_lock_free,
+                  "the handler of a signal must not wait");
+
+    double
+    now()
+    {
+      timespec time{};
+      clock_gettime(CLOCK_MONOTONIC, &time); // allowed in a handler
+      return time.tv_sec + 1e-9 * time.tv_nsec;
+    }
 
     void
-    remember(int)
+    remember(const int signal)
     {
-      requested = 1;
+      if (requested == 0)
+      {
+        time_of_request = now();
+        requested       = signal;
+      }
+      else if (signal == SIGINT && now() - time_of_request > same_request)
+      {
+        std::signal(SIGINT, SIG_DFL);
+        std::raise(SIGINT); // delivered when the handler is left
+      }
     }
   } // namespace
 
@@ -23,16 +48,47 @@ namespace MixedCracks
   void
   listen_for_stop_requests()
   {
+    struct sigaction action
+    {};
+    action.sa_handler = remember;
+    action.sa_flags   = SA_RESTART;
+    sigemptyset(&action.sa_mask);
     for (const int signal : {SIGTERM, SIGINT, SIGUSR1})
-      std::signal(signal, remember);
+      sigaction(signal, &action, nullptr);
+    struct sigaction present
+    {};
+    if (sigaction(SIGHUP, nullptr, &present) == 0 &&
+        present.sa_handler != SIG_IGN)
+      sigaction(SIGHUP, &action, nullptr);
   }
 
 
 
-  bool
-  stop_requested(const MPI_Comm communicator)
+  StopRequest
+  stop_request()
   {
-    return dealii::Utilities::MPI::max(static_cast<int>(requested),
-                                       communicator) == 1;
+    const int signal = requested;
+    if (signal == 0)
+      return {};
+    return {signal, now() - time_of_request};
+  }
+
+
+
+  std::string
+  name_of_signal(const int signal)
+  {
+    switch (signal)
+    {
+      case SIGTERM:
+        return "SIGTERM";
+      case SIGINT:
+        return "SIGINT";
+      case SIGHUP:
+        return "SIGHUP";
+      case SIGUSR1:
+        return "SIGUSR1";
+    }
+    return "signal " + std::to_string(signal);
   }
 } // namespace MixedCracks

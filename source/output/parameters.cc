@@ -53,8 +53,13 @@ namespace MixedCracks
                       Patterns::Double(0.));
     prm.add_parameter("Wall time limit",
                       wall_time_limit,
-                      "After this time the run stops with a checkpoint and "
-                      "exit status 5; 0: no limit. Unit: s.",
+                      "The run stops with a checkpoint and exit status 5 in "
+                      "good time before this one is over, counted from the "
+                      "start of the process: when the longest load step and "
+                      "the longest writing of a checkpoint so far would not "
+                      "fit into the rest. A resumed run that finishes no load "
+                      "step before ends with exit status 3, for with this "
+                      "limit it never will. 0: no limit. Unit: s.",
                       Patterns::Double(0.));
     prm.leave_subsection();
   }

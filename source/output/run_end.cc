@@ -6,7 +6,16 @@ namespace MixedCracks
   int
   exit_status(const RunEnd end)
   {
-    return end == RunEnd::failed ? 3 : end == RunEnd::stopped ? 5 : 0;
+    switch (end)
+    {
+      case RunEnd::failed:
+      case RunEnd::out_of_time:
+        return 3;
+      case RunEnd::stopped:
+        return 5;
+      default:
+        return 0;
+    }
   }
 
 
@@ -31,6 +40,9 @@ namespace MixedCracks
                "written";
       case RunEnd::stopped:
         return "stopped on request; continue with --resume";
+      case RunEnd::out_of_time:
+        return "Output/Wall time limit was over before a load step was "
+               "finished; continue with --resume and a larger one";
     }
     return "";
   }

@@ -24,6 +24,8 @@ namespace MixedCracks
     constexpr double       tightest_tolerance    = 1e-10;
     constexpr unsigned int max_linear_iterations = 1000;
     constexpr unsigned int max_bisections        = 40;
+    // iterations of conjugate gradients between two questions whether to stop
+    constexpr unsigned int iterations_unasked = 10;
 
 
 
@@ -152,6 +154,9 @@ namespace MixedCracks
       state.curved_downwards  = false;
       while (product > target && iterations < max_linear_iterations)
       {
+        if (iterations % iterations_unasked == 0 &&
+            is_to_stop(state.problem.stop, "iterations of the phase field"))
+          break;
         ++iterations;
         state.problem.matrix.vmult(state.image, search);
         keep_free(state, state.image);
@@ -262,6 +267,11 @@ namespace MixedCracks
                                tightest_tolerance,
                                loose_tolerance);
       preconditioner.restrict_to(problem, state.is_free);
+      if (is_to_stop(problem.stop, "multigrid of the phase field (ML)"))
+      {
+        outcome.reason = "asked to stop";
+        return outcome;
+      }
       const unsigned int n = find_direction(state, preconditioner, tolerance);
       outcome.linear_iterations += n;
       if (!state.curved_downwards)

@@ -19,9 +19,41 @@ namespace MixedCracks
   namespace
   {
     // directions FGMRES keeps before it starts anew
-    constexpr unsigned int restart = 100;
+    constexpr unsigned int restart       = 100;
+    const char *const      asked_to_stop = "block AMG was asked to stop";
     // a few iterations say nothing about a hierarchy
     constexpr unsigned int always_tolerated = 4;
+
+
+
+    // Gives up when the run is to stop.
+    class InterruptibleControl : public SolverControl
+    {
+    public:
+      InterruptibleControl(const StopCheck   &stop,
+                           const unsigned int max_iterations,
+                           const double       tolerance)
+        : SolverControl(max_iterations, tolerance, false, false)
+        , stop(stop)
+      {}
+
+      State
+      check(const unsigned int step, const double residual) override
+      {
+        const State state = SolverControl::check(step, residual);
+        if (state == iterate && is_to_stop(stop, "iteration of block AMG"))
+        {
+          is_interrupted = true;
+          lcheck         = failure;
+        }
+        return lcheck;
+      }
+
+      bool is_interrupted = false;
+
+    private:
+      const StopCheck &stop;
+    };
   } // namespace
 
 
@@ -183,7 +215,7 @@ namespace MixedCracks
     scaled.scale(row_scale);
     const double         tolerance = relative_tolerance * scaled.l2_norm();
     LinearOutcome        outcome;
-    SolverControl        control(max_iterations, tolerance, false, false);
+    InterruptibleControl control(system.stop, max_iterations, tolerance);
     const ScaledMatrix   matrix(*this);
     const Preconditioner preconditioner(*this);
     try
@@ -208,6 +240,8 @@ namespace MixedCracks
                 "%u iterations",
                 control.last_value() / tolerance,
                 control.last_step());
+      if (control.is_interrupted)
+        outcome.reason = asked_to_stop;
     }
     outcome.iterations  = control.last_step();
     const double digits = std::log10(control.initial_value() / tolerance);
@@ -245,7 +279,7 @@ namespace MixedCracks
                                             patience(relative_tolerance),
                                             solution,
                                             right_hand_side);
-      if (outcome.success)
+      if (outcome.success || outcome.reason == asked_to_stop)
         return outcome;
       earlier = outcome.iterations;
     }
@@ -255,6 +289,8 @@ namespace MixedCracks
         system.as_set_up([this]() { set_up(); });
       else
         set_up();
+      if (is_to_stop(system.stop, "set-up of block AMG (ML)"))
+        return {false, earlier, asked_to_stop};
     }
     LinearOutcome outcome = iterate(
       relative_tolerance, options.max_iterations, solution, right_hand_side);

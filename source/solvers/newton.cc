@@ -8,6 +8,14 @@ namespace MixedCracks
 {
   namespace
   {
+    bool
+    is_to_stop(const NewtonProblem &problem)
+    {
+      return problem.is_to_stop && problem.is_to_stop();
+    }
+
+
+
     // Full step first; halved while the residual grows. Returns the residual
     // at the point where the iterate was left.
     ResidualSize
@@ -21,7 +29,7 @@ namespace MixedCracks
       for (unsigned int i = 0; i < options.max_bisections; ++i)
       {
         // '<' rather than '>=': a residual that is no number is no progress
-        if (size.largest() < before.largest())
+        if (size.largest() < before.largest() || is_to_stop(problem))
           break;
         problem.move(-0.5 * factor);
         factor *= 0.5;
@@ -114,6 +122,11 @@ namespace MixedCracks
           outcome.iterations >= options.enough_iterations &&
           outcome.last.largest() < outcome.first.largest())
         break;
+      if (is_to_stop(problem))
+      {
+        outcome.reason = "asked to stop";
+        return outcome;
+      }
       if (outcome.iterations == options.max_iterations)
       {
         outcome.reason = "no convergence within " +
