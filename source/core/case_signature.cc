@@ -47,8 +47,11 @@ namespace MixedCracks
       fixed = fixed || entry.full_name() == "Output/Displacement at points";
       if (!fixed)
         continue;
-      text += entry.full_name() + " = " + entry.value + '\n';
-      if (entry.name == "File name" && !entry.value.empty())
+      // what a file holds matters, not where it stands
+      const bool is_file = entry.name == "File name" && !entry.value.empty();
+      if (!is_file)
+        text += entry.full_name() + " = " + entry.value + '\n';
+      if (is_file)
         text += "contents of " + entry.full_name() + ": " +
                 contents_of(entry.value, communicator) + '\n';
     }

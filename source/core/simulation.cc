@@ -10,6 +10,21 @@ namespace MixedCracks
 {
   using namespace dealii;
 
+  namespace
+  {
+    template <int dim>
+    std::optional<types::boundary_id>
+    force_boundary_id(const Parameters<dim> &parameters)
+    {
+      const std::string name = parameters.force_boundary();
+      if (name.empty())
+        return {};
+      return parameters.geometry.chosen().boundary_ids().at(name);
+    }
+  } // namespace
+
+
+
   template <int dim>
   Simulation<dim>::Simulation(const Parameters<dim> &parameters,
                               const std::string     &effective_parameters,
@@ -34,10 +49,7 @@ namespace MixedCracks
                               dim + (parameters.model.mixed() ? 1 : 0)),
         prescribed_points(parameters, dim + (parameters.model.mixed() ? 1 : 0)))
     , load_control(parameters.load)
-    , boundary_quantities(fields,
-                          constraints,
-                          parameters.geometry.chosen().boundary_ids().at(
-                            parameters.force_boundary()))
+    , boundary_quantities(fields, constraints, force_boundary_id(parameters))
     , crack_observer(fields,
                      parameters.geometry.chosen().boundary_ids(),
                      parameters.output.directory)
@@ -71,7 +83,6 @@ namespace MixedCracks
     preflight();
     if (existing != ExistingRun::refuse)
       prepare_output(existing);
-    constraints.reinit();
     if (!resumed)
       refine_initial_mesh();
     make_solvers();
@@ -87,7 +98,7 @@ namespace MixedCracks
 
   template <int dim>
   void
-  Simulation<dim>::make_mesh_and_material()
+  Simulation<dim>::make_mesh_and_material(const bool only_check)
   {
     TimerOutput::Scope scope(timer, "setup");
     if (resumed)
@@ -96,6 +107,12 @@ namespace MixedCracks
       checkpoint.load_mesh(triangulation);
       cell_size = resumed->cell_size;
     }
+    else if (only_check)
+    {
+      not_built = make_mesh_to_check(parameters, fields.layout, triangulation);
+      cell_size = not_built ? not_built->finest_size
+                            : finest_cell_size(triangulation, communicator);
+    }
     else
     {
       make_mesh(parameters, triangulation);
@@ -103,7 +120,10 @@ namespace MixedCracks
     }
     material = std::make_unique<Material<dim>>(
       describe_material(parameters.model, parameters.material, dim, cell_size));
+    require_solver_for_stiffness();
     fields.distribute();
+    constraints.reinit();
+    require_held_body();
     point_displacements.reinit();
     material_field = std::make_unique<const MaterialField<dim>>(
       make_material_field(parameters.material, triangulation));
@@ -122,7 +142,7 @@ namespace MixedCracks
     Loads<dim> loads = make_loads(parameters, n_components);
     loads.fluid      = make_fluid(parameters, fields);
     elastic_step     = std::make_unique<ElasticStep<dim>>(
-      fields, constraints, *assembler, loads, timer, parameters.solver);
+      fields, constraints, *assembler, loads, timer, solver_parameters());
     phase_field_step = std::make_unique<PhaseFieldStep<dim>>(
       fields, constraints, *material, *assembler, loads.fluid, timer);
     step_solver = std::make_unique<StepSolver<dim>>(
@@ -195,7 +215,7 @@ namespace MixedCracks
       solve_step(state, relaxed, std::numeric_limits<double>::infinity());
     if (!outcome.solved)
       throw SolverError("the initial state cannot be computed: " +
-                        outcome.reason);
+                        outcome.reason + hint_at_no_stiffness());
     relaxed.previous_phase_field = relaxed.phase_field;
     crack_observer.open(material->description().length_scale);
     crack_observer.start(relaxed.phase_field);

@@ -159,7 +159,10 @@ namespace MixedCracks
       write_fields(last, last_step);
     if (run_end == RunEnd::stopped)
       write_checkpoint(last);
-    const RunOutcome outcome{exit_status(run_end), in_words(run_end)};
+    const RunOutcome outcome{exit_status(run_end),
+                             in_words(run_end) + (run_end == RunEnd::failed
+                                                    ? hint_at_no_stiffness()
+                                                    : "")};
     Summary          summary = summarize(outcome);
     summary.cracks           = crack_observer.finish(last.phase_field);
     if (dim == 3 && summary.separated)
