@@ -172,7 +172,7 @@ namespace
     const auto action = [&command](Simulation<dim> &simulation) {
       if (command.check)
       {
-        simulation.preflight();
+        simulation.preflight(true);
         return RunOutcome();
       }
       return simulation.run(command.overwrite ? ExistingRun::overwrite

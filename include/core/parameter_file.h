@@ -21,6 +21,11 @@ namespace MixedCracks
   /// with #, a trailing backslash. Stricter: every subsection is closed in
   /// its own file, and nothing is set twice in one file.
   ///
+  /// A relative path in an entry that names a file to be read (one whose
+  /// pattern is FileName(input)) becomes an absolute one: from the folder of
+  /// the .prm that sets it, or from the working directory when the file is
+  /// there only; in an override from the working directory.
+  ///
   /// Throws FileError when a file cannot be read, and InputError with up to
   /// ten mistakes, one per line, each with file and line or "--set". No entry
   /// is touched unless all values match their patterns.
@@ -29,10 +34,11 @@ namespace MixedCracks
                        dealii::ParameterHandler       &prm,
                        MPI_Comm                        comm);
 
-  /// The same from the statements that read_source() returned.
+  /// The same from the statements that read_source() returned. Collective.
   void read_parameters(const std::vector<SourceLine>  &source,
                        const std::vector<std::string> &overrides,
-                       dealii::ParameterHandler       &prm);
+                       dealii::ParameterHandler       &prm,
+                       MPI_Comm                        comm = MPI_COMM_WORLD);
 } // namespace MixedCracks
 
 #endif

@@ -17,6 +17,7 @@ namespace MixedCracks
     const ParameterEntry *entry;
     std::string           value;
     std::string           place;
+    std::string           folder; ///< of the file; empty for --set
   };
 
   /// Turns statements and overrides into assignments. Mistakes are collected,
@@ -72,6 +73,7 @@ namespace MixedCracks
     void report_malformed(const SourceLine &line);
 
     void assign(const std::string              &place,
+                const std::string              &folder,
                 const std::vector<std::string> &path,
                 const std::string              &name,
                 const std::string              &value);

@@ -55,7 +55,8 @@ namespace MixedCracks
       return dim == 2 ? material.thickness : 1.;
     }
 
-    /// The boundary whose reaction is reported.
+    /// The boundary whose reaction is reported; empty when displacement is
+    /// prescribed at points only, whose reaction it is then.
     std::string force_boundary() const;
   };
 } // namespace MixedCracks

@@ -52,14 +52,34 @@ namespace MixedCracks
                MPI_Comm               communicator,
                Log                   &log);
 
-    /// Mesh, degrees of freedom and what can be said of them beforehand.
-    void preflight();
+    /// Mesh, degrees of freedom and what can be said of them beforehand. With
+    /// @p only_check a large mesh is not built but counted.
+    void preflight(bool only_check = false);
 
     /// The whole calculation, into the output directory.
     RunOutcome run(ExistingRun existing);
 
   private:
-    void make_mesh_and_material();
+    void make_mesh_and_material(bool only_check);
+
+    /// Throws InputError when the prescribed displacements leave the body free
+    /// to move.
+    void require_held_body() const;
+
+    /// Throws InputError when the linear solver cannot do with kappa = 0.
+    void require_solver_for_stiffness() const;
+
+    /// As given, but for what kappa = 0 does to the automatic choice.
+    SolverParameters solver_parameters() const;
+
+    /// What to think of when a step failed with kappa = 0; else nothing.
+    std::string hint_at_no_stiffness() const;
+
+    /// Of the first mesh: counted, or what `--check` knows of it.
+    MeshEstimate mesh_counts() const;
+
+    /// What `--check` has not looked at.
+    void log_not_checked();
 
     void make_solvers();
 
@@ -221,6 +241,8 @@ namespace MixedCracks
     std::vector<std::string> warnings;
 
     std::optional<ExistingRun> waiting_output; // see prepare_output()
+    /// the first mesh, when `--check` has not built it
+    std::optional<MeshEstimate> not_built;
   };
 } // namespace MixedCracks
 

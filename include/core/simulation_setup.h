@@ -9,6 +9,7 @@
 
 #include <discretization/constraints.h>
 #include <discretization/fields.h>
+#include <discretization/mesh_estimate.h>
 #include <discretization/refinement.h>
 
 namespace MixedCracks
@@ -23,10 +24,24 @@ namespace MixedCracks
   refined_regions(const Parameters<dim>            &parameters,
                   const dealii::Triangulation<dim> &triangulation);
 
+  /// The mesh of the geometry, not refined. Collective.
+  template <int dim>
+  void make_coarse_mesh(const Parameters<dim>      &parameters,
+                        dealii::Triangulation<dim> &triangulation);
+
   /// Coarse mesh, refined as subsection "Mesh" says. Collective.
   template <int dim>
   void make_mesh(const Parameters<dim>      &parameters,
                  dealii::Triangulation<dim> &triangulation);
+
+  /// The same for `--check`: a mesh of so many cells that building it takes
+  /// long is refined only where the .prm names points, and what it would be is
+  /// returned. Collective.
+  template <int dim>
+  std::optional<MeshEstimate>
+  make_mesh_to_check(const Parameters<dim>      &parameters,
+                     const FieldLayout          &layout,
+                     dealii::Triangulation<dim> &triangulation);
 
   /// Mean size of the cells of the finest level, measure^(1/dim), mm: the h
   /// of expressions. Collective.

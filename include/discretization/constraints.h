@@ -31,6 +31,8 @@ namespace MixedCracks
     dealii::Point<dim>                     point; ///< mm
     unsigned int                           component;
     std::shared_ptr<dealii::Function<dim>> value; ///< as above
+    /// whether the value is ever another one than 0
+    bool moves = true;
   };
 
   /// Hanging nodes and prescribed displacements. Newton corrections vanish on
@@ -87,6 +89,14 @@ namespace MixedCracks
     prescribed_points() const
     {
       return points;
+    }
+
+    /// Their dofs, as far as this rank knows them; an invalid number for the
+    /// others.
+    const std::vector<dealii::types::global_dof_index> &
+    dofs_of_points() const
+    {
+      return point_dofs;
     }
 
   private:

@@ -35,6 +35,21 @@ namespace MixedCracks
     std::vector<RefinementSurroundings<dim>> surroundings;
   };
 
+  /// What decides whether a cell is refined.
+  template <int dim>
+  struct CellExtent
+  {
+    dealii::BoundingBox<dim> box;      ///< mm
+    dealii::Point<dim>       center;   ///< mm
+    double                   diameter; ///< mm
+  };
+
+  /// How many levels beyond the global refinement the regions want for such a
+  /// cell.
+  template <int dim>
+  unsigned int wanted_levels(const CellExtent<dim>        &cell,
+                             const RefinementRegions<dim> &regions);
+
   /// Halve every cell of a coarse mesh @p n_global times, then every cell in a
   /// region until it is the region's levels finer (the highest where regions
   /// overlap). A cell is in a box when they overlap, touching is not enough,

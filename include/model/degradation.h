@@ -8,7 +8,7 @@ namespace MixedCracks
   class Degradation
   {
   public:
-    /// @p kappa: residual stiffness, dimensionless, 0 < kappa < 1.
+    /// @p kappa: residual stiffness, dimensionless, 0 <= kappa < 1.
     explicit Degradation(const double kappa)
       : kappa(kappa)
     {}

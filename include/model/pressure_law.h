@@ -42,7 +42,7 @@ namespace MixedCracks
   public:
     virtual ~PressureLaw() = default;
 
-    /// @p g: degradation in (0, 1]. @p tension: p is degraded here, because
+    /// @p g: degradation in [0, 1]. @p tension: p is degraded here, because
     /// it is positive or the energy split does not distinguish.
     virtual PressureCoefficients
     coefficients(const PressureConstants &constants,

@@ -7,6 +7,8 @@
 #include <discretization/constraints.h>
 #include <discretization/fields.h>
 
+#include <optional>
+
 namespace MixedCracks
 {
   /// Forces and displacements on the boundary.
@@ -14,17 +16,20 @@ namespace MixedCracks
   class BoundaryQuantities
   {
   public:
-    /// @p force_boundary: where the reaction is summed.
-    BoundaryQuantities(const Fields<dim>         &fields,
-                       const Constraints<dim>    &constraints,
-                       dealii::types::boundary_id force_boundary);
+    /// @p force_boundary: where the reaction is summed; none: at the
+    /// prescribed points that move, or at all points where none does.
+    BoundaryQuantities(
+      const Fields<dim>                        &fields,
+      const Constraints<dim>                   &constraints,
+      std::optional<dealii::types::boundary_id> force_boundary);
 
     /// To be called when the mesh changed.
     void reinit();
 
     /// Consistent reaction: the residual summed over the nodes of the force
     /// boundary, N per mm thickness. Signs by the outward normal of the
-    /// boundary (of the axis nearest to it): positive in tension.
+    /// boundary (of the axis nearest to it): positive in tension. At points as
+    /// it acts on the body, in the directions of the axes.
     dealii::Tensor<1, dim> force(const LinearAlgebra::Vector &reaction) const;
 
     /// Mean prescribed displacement magnitude of the boundary or point that
@@ -34,9 +39,13 @@ namespace MixedCracks
   private:
     double largest_point_displacement(double time) const;
 
-    const Fields<dim>               &fields;
-    const Constraints<dim>          &constraints;
-    const dealii::types::boundary_id boundary;
+    void reinit_at_boundary();
+
+    void reinit_at_points();
+
+    const Fields<dim>                              &fields;
+    const Constraints<dim>                         &constraints;
+    const std::optional<dealii::types::boundary_id> boundary;
 
     std::array<dealii::IndexSet, dim> owned_dofs;
     double                            sign = 1.;

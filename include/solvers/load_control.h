@@ -4,18 +4,21 @@
 
 #include <deal.II/base/parameter_handler.h>
 
+#include <solvers/load_steps.h>
+
 #include <string>
 
 namespace MixedCracks
 {
-  /// Subsection "Load stepping".
+  /// Subsection "Load stepping". Steps that are 0 are derived: see steps().
   struct LoadParameters
   {
-    double      end_time                   = 1.;
-    double      first_step                 = 0.1;
-    double      largest_step               = 0.1;
-    double      onset_step                 = 0.01;
-    double      smallest_step              = 1e-4;
+    double      end_time      = 1.;
+    double      first_step    = 0.;
+    double      largest_step  = 0.;
+    double      onset_step    = 0.;
+    double      smallest_step = 0.;
+    std::string step_schedule;
     double      largest_phase_field_change = 0.3;
     double      stop_fraction              = 0.;
     bool        stop_at_onset              = false;
@@ -25,8 +28,18 @@ namespace MixedCracks
     /// Enters the subsection itself.
     void add_parameters(dealii::ParameterHandler &prm);
 
-    /// Throws InputError when the steps are not in order.
+    /// Throws InputError with all steps that contradict each other.
     void check() const;
+
+    /// As they are given.
+    GivenSteps given_steps() const;
+
+    /// As they hold; after check().
+    LoadSteps
+    steps() const
+    {
+      return LoadSteps(given_steps());
+    }
   };
 
   /// Chooses the load steps: halves them when a step failed or the phase
@@ -122,6 +135,7 @@ namespace MixedCracks
     void limit_step();
 
     LoadParameters parameters;
+    LoadSteps      steps;
     double         time = 0.;
     double         time_step; // to be tried
     double         natural;   // the same, were there no end time

@@ -98,7 +98,8 @@ namespace MixedCracks
       assessment.degradation_change =
         std::max(assessment.degradation_change,
                  std::abs(now.degradation - then.degradation) /
-                   std::min(now.degradation, then.degradation));
+                   std::max(std::min(now.degradation, then.degradation),
+                            std::numeric_limits<double>::min()));
       if (now.branch < 0 || now.branch != then.branch)
         assessment.branch_changes += 1.;
     }

@@ -3,6 +3,7 @@
 #include <core/names.h>
 #include <core/parameter_file.h>
 #include <core/parameter_parser.h>
+#include <core/parameter_paths.h>
 #include <core/text.h>
 
 #include <deal.II/base/exceptions.h>
@@ -79,7 +80,7 @@ namespace MixedCracks
                   dealii::ParameterHandler       &prm,
                   const MPI_Comm                  comm)
   {
-    read_parameters(read_source(file_name, comm), overrides, prm);
+    read_parameters(read_source(file_name, comm), overrides, prm, comm);
   }
 
 
@@ -87,7 +88,8 @@ namespace MixedCracks
   void
   read_parameters(const std::vector<SourceLine>  &source,
                   const std::vector<std::string> &overrides,
-                  dealii::ParameterHandler       &prm)
+                  dealii::ParameterHandler       &prm,
+                  const MPI_Comm                  comm)
   {
     const ParameterTree tree(prm);
     ParameterParser     parser(tree);
@@ -97,7 +99,8 @@ namespace MixedCracks
     throw_if_any(parser.errors());
 
     std::vector<std::string> errors;
-    for (const ParameterAssignment &assignment : parser.assignments())
+    for (const ParameterAssignment &assignment :
+         with_absolute_paths(parser.assignments(), comm))
     {
       const std::string problem = set_entry(assignment, prm);
       if (!problem.empty())

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <filesystem>
 
 namespace MixedCracks
 {
@@ -175,7 +176,13 @@ namespace MixedCracks
       return report(line.place(),
                     full_name + " is set twice, first in line " +
                       std::to_string(first->second.number) + ".");
-    assign(line.place(), path(), name, trim(assignment.substr(equals + 1)));
+    const std::string folder =
+      std::filesystem::path(line.file).parent_path().string();
+    assign(line.place(),
+           folder.empty() ? "." : folder,
+           path(),
+           name,
+           trim(assignment.substr(equals + 1)));
   }
 
 
@@ -226,13 +233,14 @@ namespace MixedCracks
           unknown_subsection_message(tree,
                                      {names.begin(), names.begin() + depth - 1},
                                      names[depth - 1]));
-    assign(place, names, name, value);
+    assign(place, "", names, name, value);
   }
 
 
 
   void
   ParameterParser::assign(const std::string              &place,
+                          const std::string              &folder,
                           const std::vector<std::string> &path,
                           const std::string              &name,
                           const std::string              &value)
@@ -243,7 +251,7 @@ namespace MixedCracks
     const std::string problem = value_problem(*entry, value);
     if (!problem.empty())
       return report(place, problem);
-    accepted.push_back({entry, value, place});
+    accepted.push_back({entry, value, place, folder});
   }
 
 

@@ -68,6 +68,13 @@ namespace MixedCracks
             prescribed.end())
         prescribed.push_back(entry.boundary);
     const std::string force = force_boundary();
+    if (prescribed.empty() && !force.empty())
+      throw InputError("Load stepping/Force boundary: found '" + force +
+                       "', but displacement is prescribed at points only. "
+                       "Allowed is nothing: the force is then the reaction at "
+                       "the points that move.");
+    if (prescribed.empty())
+      return;
     if (std::find(prescribed.begin(), prescribed.end(), force) ==
         prescribed.end())
       throw InputError("Load stepping/Force boundary: " +

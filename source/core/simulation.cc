@@ -9,6 +9,21 @@ namespace MixedCracks
 {
   using namespace dealii;
 
+  namespace
+  {
+    template <int dim>
+    std::optional<types::boundary_id>
+    force_boundary_id(const Parameters<dim> &parameters)
+    {
+      const std::string name = parameters.force_boundary();
+      if (name.empty())
+        return {};
+      return parameters.geometry.chosen().boundary_ids().at(name);
+    }
+  } // namespace
+
+
+
   template <int dim>
   Simulation<dim>::Simulation(const Parameters<dim> &parameters,
                               const std::string     &effective_parameters,
@@ -34,10 +49,7 @@ namespace MixedCracks
                               dim + (parameters.model.mixed() ? 1 : 0)),
         prescribed_points(parameters, dim + (parameters.model.mixed() ? 1 : 0)))
     , load_control(parameters.load)
-    , boundary_quantities(fields,
-                          constraints,
-                          parameters.geometry.chosen().boundary_ids().at(
-                            parameters.force_boundary()))
+    , boundary_quantities(fields, constraints, force_boundary_id(parameters))
     , crack_observer(fields,
                      parameters.geometry.chosen().boundary_ids(),
                      parameters.output.directory)
@@ -73,6 +85,8 @@ namespace MixedCracks
       run_end = end_of_resumed_run(accepted);
     had_ended = run_end != RunEnd::none && resumed;
     advance_to_the_end(accepted);
+    if (run_end == RunEnd::failed)
+      why_failed += hint_at_no_stiffness();
     return finish(accepted,
                   {exit_status(run_end), in_words(run_end) + why_failed});
   }
@@ -85,7 +99,6 @@ namespace MixedCracks
   {
     try
     {
-      constraints.reinit();
       if (!resumed)
         refine_initial_mesh();
       make_solvers();
@@ -105,7 +118,7 @@ namespace MixedCracks
 
   template <int dim>
   void
-  Simulation<dim>::make_mesh_and_material()
+  Simulation<dim>::make_mesh_and_material(const bool only_check)
   {
     TimerOutput::Scope scope(timer, "setup");
     if (resumed)
@@ -114,6 +127,12 @@ namespace MixedCracks
       checkpoint.load_mesh(triangulation);
       cell_size = resumed->cell_size;
     }
+    else if (only_check)
+    {
+      not_built = make_mesh_to_check(parameters, fields.layout, triangulation);
+      cell_size = not_built ? not_built->finest_size
+                            : finest_cell_size(triangulation, communicator);
+    }
     else
     {
       make_mesh(parameters, triangulation);
@@ -121,7 +140,10 @@ namespace MixedCracks
     }
     material = std::make_unique<Material<dim>>(
       describe_material(parameters.model, parameters.material, dim, cell_size));
+    require_solver_for_stiffness();
     fields.distribute();
+    constraints.reinit();
+    require_held_body();
     point_displacements.reinit();
     material_field = std::make_unique<const MaterialField<dim>>(
       make_material_field(parameters.material, triangulation));
@@ -143,7 +165,7 @@ namespace MixedCracks
       return stop_now(finished);
     };
     elastic_step = std::make_unique<ElasticStep<dim>>(
-      fields, constraints, *assembler, loads, timer, parameters.solver, stop);
+      fields, constraints, *assembler, loads, timer, solver_parameters(), stop);
     phase_field_step = std::make_unique<PhaseFieldStep<dim>>(
       fields, constraints, *material, *assembler, loads.fluid, timer, stop);
     step_solver = std::make_unique<StepSolver<dim>>(
@@ -219,7 +241,7 @@ namespace MixedCracks
       leave_early_if_asked("step 0");
     if (!outcome.solved)
       throw SolverError("the initial state cannot be computed: " +
-                        outcome.reason);
+                        outcome.reason + hint_at_no_stiffness());
     relaxed.previous_phase_field = relaxed.phase_field;
     const StatisticsRow row      = measure(relaxed, relaxed, outcome);
     if (const std::string fault = not_finite(relaxed, row); !fault.empty())

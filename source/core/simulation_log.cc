@@ -50,12 +50,12 @@ namespace MixedCracks
   double
   Simulation<dim>::cell_size_at_cracks() const
   {
-    const int present = triangulation.n_global_levels() - 1;
-    const int finest  = parameters.mesh.adaptation == "none"
-                          ? present
-                          : parameters.mesh.finest_adaptive_level();
-    return finest_cell_size(triangulation, communicator) *
-           std::pow(0.5, std::max(0, finest - present));
+    const MeshEstimate mesh    = mesh_counts();
+    const int          present = mesh.finest_level;
+    const int          finest  = parameters.mesh.adaptation == "none"
+                                   ? present
+                                   : parameters.mesh.finest_adaptive_level();
+    return mesh.finest_size * std::pow(0.5, std::max(0, finest - present));
   }
 
 
@@ -75,28 +75,38 @@ namespace MixedCracks
              ", revision " + MIXED_CRACKS_REVISION + ", deal.II " +
              DEAL_II_PACKAGE_VERSION);
     log.line("case: " + case_in_words);
-    log.line(printed(
-      "ranks: %u; cells: %llu; dofs: %llu (u, p: %llu; phi: %llu)",
-      Utilities::MPI::n_mpi_processes(communicator),
-      static_cast<unsigned long long>(triangulation.n_global_active_cells()),
-      static_cast<unsigned long long>(fields.n_dofs()),
-      static_cast<unsigned long long>(fields.elastic.n_dofs()),
-      static_cast<unsigned long long>(fields.phase_field.n_dofs())));
+    const MeshEstimate mesh = mesh_counts();
+    // a count that is not exact has three digits
+    const char *const format =
+      mesh.is_exact
+        ? "ranks: %u; cells: %.0f; dofs: %.0f (u, p: %.0f; phi: %.0f)"
+        : "ranks: %u; cells: about %.3g; dofs: about %.3g (u, p: %.3g; phi: "
+          "%.3g)";
+    log.line(printed(format,
+                     Utilities::MPI::n_mpi_processes(communicator),
+                     mesh.n_cells,
+                     mesh.n_elastic + mesh.n_phase_field,
+                     mesh.n_elastic,
+                     mesh.n_phase_field));
     log.line(printed("finest cells h = %.4g mm; length scale l = %.4g mm, "
                      "l/h = %.3g; kappa = %.3g",
                      cell_size_at_cracks(),
                      constants.length_scale,
                      constants.length_scale / cell_size_at_cracks(),
                      constants.residual_stiffness));
+    log.line("load steps: " + parameters.load.steps().in_words());
     if (material_field->varies())
       log.line(in_words(material_range));
     log.line(locking_in_words(material_range, model.mixed()));
     const std::string solver =
-      choose_linear_solver(parameters.solver.name, dim, fields.elastic.n_dofs())
+      choose_linear_solver(solver_parameters().name,
+                           dim,
+                           static_cast<types::global_dof_index>(mesh.n_elastic))
         .name;
     log.line(printed("memory: about %.2g GB with the linear solver '%s', all "
                      "ranks together",
-                     1e-9 * bytes_of_solution<dim>(solver, fields.n_dofs()),
+                     1e-9 * bytes_of_solution<dim>(
+                              solver, mesh.n_elastic + mesh.n_phase_field),
                      solver.c_str()));
     log.line(printed("checkpoint: about %.3g MB on this mesh, and twice that "
                      "on the disk, as the one before is kept",
@@ -145,11 +155,13 @@ namespace MixedCracks
 
   template <int dim>
   void
-  Simulation<dim>::preflight()
+  Simulation<dim>::preflight(const bool only_check)
   {
-    make_mesh_and_material();
+    make_mesh_and_material(only_check);
     log_header();
     collect_warnings();
+    if (only_check)
+      log_not_checked();
   }
 
 
@@ -272,7 +284,7 @@ namespace MixedCracks
   template double Simulation<dim>::cell_size_at_cracks() const;     \
   template void   Simulation<dim>::log_header();                    \
   template void   Simulation<dim>::collect_warnings();              \
-  template void   Simulation<dim>::preflight();                     \
+  template void   Simulation<dim>::preflight(bool);                 \
   template void   Simulation<dim>::log_step(const StatisticsRow &); \
   template void   Simulation<dim>::check_energy_balance();          \
   template void   Simulation<dim>::log_linear_solver();             \

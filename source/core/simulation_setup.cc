@@ -87,14 +87,24 @@ namespace MixedCracks
 
   template <int dim>
   void
-  make_mesh(const Parameters<dim> &parameters,
-            Triangulation<dim>    &triangulation)
+  make_coarse_mesh(const Parameters<dim> &parameters,
+                   Triangulation<dim>    &triangulation)
   {
     const Geometry<dim> &geometry = parameters.geometry.chosen();
     geometry.create(triangulation);
     // what only the mesh of a file can tell
     parameters.mesh.check(GridTools::compute_bounding_box(triangulation),
                           geometry.names());
+  }
+
+
+
+  template <int dim>
+  void
+  make_mesh(const Parameters<dim> &parameters,
+            Triangulation<dim>    &triangulation)
+  {
+    make_coarse_mesh(parameters, triangulation);
     refine_globally_and_in_regions(triangulation,
                                    parameters.mesh.global_refinements,
                                    refined_regions(parameters, triangulation));
@@ -146,13 +156,21 @@ namespace MixedCracks
   prescribed_points(const Parameters<dim> &parameters,
                     const unsigned int     n_components)
   {
+    constexpr unsigned int            n_samples = 16;
     std::vector<PrescribedPoint<dim>> result;
     for (const auto &entry :
          parameters.boundary_conditions.point_displacements())
     {
       auto value = std::make_shared<ExpressionFunction<dim>>(n_components);
       value->set(entry.component, entry.expression);
-      result.push_back({entry.point, entry.component, value});
+      // the expression in t at the point: seen often enough
+      bool moves = false;
+      for (unsigned int i = 0; i <= n_samples && !moves; ++i)
+      {
+        value->set_time(parameters.load.end_time * i / n_samples);
+        moves = value->value(entry.point, entry.component) != 0.;
+      }
+      result.push_back({entry.point, entry.component, value, moves});
     }
     return result;
   }
@@ -360,6 +378,8 @@ namespace MixedCracks
   template RefinementRegions<dim> refined_regions(const Parameters<dim> &,     \
                                                   const Triangulation<dim> &); \
   template void   make_mesh(const Parameters<dim> &, Triangulation<dim> &);    \
+  template void   make_coarse_mesh(const Parameters<dim> &,                    \
+                                   Triangulation<dim> &);                      \
   template double finest_cell_size(const Triangulation<dim> &, MPI_Comm);      \
   template std::vector<PrescribedComponent<dim>> prescribed_components(        \
     const Parameters<dim> &, unsigned int);                                    \

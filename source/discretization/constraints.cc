@@ -6,6 +6,7 @@
 #include <deal.II/numerics/vector_tools.h>
 
 #include <discretization/constraints.h>
+#include <discretization/nearest_vertex.h>
 
 #include <sstream>
 
@@ -73,7 +74,10 @@ namespace MixedCracks
         message << "Boundary conditions/Displacement at points: found '"
                 << points[i].point
                 << "', where the mesh has no vertex (or a hanging node). "
-                   "Allowed are the vertices of its cells.";
+                   "Allowed are the vertices of its cells; the nearest is "
+                << in_words(nearest_vertex(fields.elastic.get_triangulation(),
+                                           points[i].point))
+                << ".";
         throw InputError(message.str());
       }
     return dofs;

@@ -28,35 +28,34 @@ namespace MixedCracks
 
     template <int dim>
     bool
-    is_near(const dealii::TriaIterator<dealii::CellAccessor<dim>> &cell,
-            const RefinementSurroundings<dim>                     &region)
+    is_near(const CellExtent<dim>             &cell,
+            const RefinementSurroundings<dim> &region)
     {
       const double reach =
-        region.distance + 0.5 * cell->diameter() / std::sqrt(1. * dim);
-      const dealii::Point<dim> center = cell->center();
+        region.distance + 0.5 * cell.diameter / std::sqrt(1. * dim);
       return std::any_of(
         region.pieces.begin(), region.pieces.end(), [&](const auto &piece) {
-          return distance(center, piece) < reach;
+          return distance(cell.center, piece) < reach;
         });
     }
-
-
-
-    template <int dim>
-    unsigned int
-    wanted_levels(const dealii::TriaIterator<dealii::CellAccessor<dim>> &cell,
-                  const RefinementRegions<dim> &regions)
-    {
-      unsigned int levels = 0;
-      for (const RefinementBox<dim> &box : regions.boxes)
-        if (overlap(cell->bounding_box(), box.box))
-          levels = std::max(levels, box.levels);
-      for (const RefinementSurroundings<dim> &region : regions.surroundings)
-        if (region.levels > levels && is_near<dim>(cell, region))
-          levels = region.levels;
-      return levels;
-    }
   } // namespace
+
+
+
+  template <int dim>
+  unsigned int
+  wanted_levels(const CellExtent<dim>        &cell,
+                const RefinementRegions<dim> &regions)
+  {
+    unsigned int levels = 0;
+    for (const RefinementBox<dim> &box : regions.boxes)
+      if (overlap(cell.box, box.box))
+        levels = std::max(levels, box.levels);
+    for (const RefinementSurroundings<dim> &region : regions.surroundings)
+      if (region.levels > levels && is_near<dim>(cell, region))
+        levels = region.levels;
+    return levels;
+  }
 
 
 
@@ -67,7 +66,10 @@ namespace MixedCracks
              const RefinementRegions<dim>                          &regions)
   {
     return static_cast<unsigned int>(cell->level()) <
-           n_global + wanted_levels<dim>(cell, regions);
+           n_global +
+             wanted_levels<dim>(
+               {cell->bounding_box(), cell->center(), cell->diameter()},
+               regions);
   }
 
 
@@ -98,6 +100,10 @@ namespace MixedCracks
 
 
 
+  template unsigned int wanted_levels(const CellExtent<2> &,
+                                      const RefinementRegions<2> &);
+  template unsigned int wanted_levels(const CellExtent<3> &,
+                                      const RefinementRegions<3> &);
   template void refine_globally_and_in_regions(dealii::Triangulation<2> &,
                                                unsigned int,
                                                const RefinementRegions<2> &);

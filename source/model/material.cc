@@ -78,7 +78,7 @@ namespace MixedCracks
     // not a number where they vary
     Assert(
       !(description.elastic.lambda <= 0. || description.elastic.mu <= 0.) &&
-        description.relaxation > 0. && description.residual_stiffness > 0. &&
+        description.relaxation > 0. && description.residual_stiffness >= 0. &&
         description.residual_stiffness < 1.,
       dealii::ExcMessage("The constants of a material must be checked "
                          "before it is made."));

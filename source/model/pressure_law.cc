@@ -1,10 +1,17 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include <model/pressure_law.h>
 
+#include <algorithm>
+
 namespace MixedCracks
 {
   namespace
   {
+    // With kappa = 0 there are points without any stiffness. What the law
+    // divides by g goes on from here as if g were this: p vanishes then, to
+    // rounding, and stays a number.
+    constexpr double smallest_degradation = 1e-12;
+
     // (M8): p is what the material transmits; its constraint fades instead
     class RelaxedBulk : public PressureLaw
     {
@@ -19,7 +26,7 @@ namespace MixedCracks
           return {1., 1., intact_compliance, 1.};
         const double added_compliance =
           1. / (constants.relaxation * constants.mu);
-        const double inverse_g = 1. / g;
+        const double inverse_g = 1. / std::max(g, smallest_degradation);
         return {1.,
                 1.,
                 intact_compliance + (inverse_g - 1.) * added_compliance,

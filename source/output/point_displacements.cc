@@ -6,6 +6,8 @@
 
 #include <deal.II/matrix_free/fe_point_evaluation.h>
 
+#include <discretization/nearest_vertex.h>
+
 #include <output/point_displacements.h>
 
 #include <sstream>
@@ -85,7 +87,10 @@ namespace MixedCracks
         message << PointDisplacementParameters<dim>::name << ": found '"
                 << points[i].name << " : " << points[i].position
                 << "', which lies outside of the mesh. Allowed are points of "
-                   "the undeformed body.";
+                   "the undeformed body; its nearest vertex is "
+                << in_words(nearest_vertex(fields.elastic.get_triangulation(),
+                                           points[i].position))
+                << ".";
         throw InputError(message.str());
       }
   }

@@ -19,9 +19,9 @@ namespace MixedCracks
 
   template <int dim>
   BoundaryQuantities<dim>::BoundaryQuantities(
-    const Fields<dim>       &fields,
-    const Constraints<dim>  &constraints,
-    const types::boundary_id force_boundary)
+    const Fields<dim>                      &fields,
+    const Constraints<dim>                 &constraints,
+    const std::optional<types::boundary_id> force_boundary)
     : fields(fields)
     , constraints(constraints)
     , boundary(force_boundary)
@@ -33,6 +33,45 @@ namespace MixedCracks
   void
   BoundaryQuantities<dim>::reinit()
   {
+    if (boundary)
+      reinit_at_boundary();
+    else
+      reinit_at_points();
+  }
+
+
+
+  template <int dim>
+  void
+  BoundaryQuantities<dim>::reinit_at_points()
+  {
+    const auto &points = constraints.prescribed_points();
+    const auto  moves  = [&points](const Point<dim> &position) {
+      return std::any_of(
+        points.begin(), points.end(), [&position](const auto &entry) {
+          return entry.moves && entry.point == position;
+        });
+    };
+    const bool any = std::any_of(points.begin(),
+                                 points.end(),
+                                 [](const auto &entry) { return entry.moves; });
+    for (IndexSet &dofs : owned_dofs)
+      dofs = IndexSet(fields.elastic.n_dofs());
+    for (std::size_t i = 0; i < points.size(); ++i)
+      if (const auto dof = constraints.dofs_of_points()[i];
+          dof != numbers::invalid_dof_index &&
+          fields.elastic_dofs.owned.is_element(dof) &&
+          (!any || moves(points[i].point)))
+        owned_dofs[points[i].component].add_index(dof);
+    sign = 1.;
+  }
+
+
+
+  template <int dim>
+  void
+  BoundaryQuantities<dim>::reinit_at_boundary()
+  {
     for (unsigned int d = 0; d < dim; ++d)
     {
       std::vector<bool> mask(fields.elastic.get_fe().n_components(), false);
@@ -40,7 +79,7 @@ namespace MixedCracks
       owned_dofs[d] = DoFTools::extract_boundary_dofs(
                         fields.elastic,
                         ComponentMask(mask),
-                        std::set<types::boundary_id>{boundary}) &
+                        std::set<types::boundary_id>{*boundary}) &
                       fields.elastic_dofs.owned;
     }
 
@@ -53,7 +92,7 @@ namespace MixedCracks
       if (cell->is_locally_owned())
         for (const unsigned int face : cell->face_indices())
           if (cell->face(face)->at_boundary() &&
-              cell->face(face)->boundary_id() == boundary)
+              cell->face(face)->boundary_id() == *boundary)
           {
             face_values.reinit(cell, face);
             for (unsigned int q = 0; q < face_values.n_quadrature_points; ++q)

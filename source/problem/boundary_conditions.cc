@@ -110,8 +110,9 @@ namespace MixedCracks
       "Prescribed displacement of single vertices of the mesh, as of the "
       "supports of a beam: 'point : component : expression ; ...', as in '0, 0 "
       ": y : 0'. Where a boundary prescribes the same component, the boundary "
-      "decides. The stress under a single node grows without limit as cells "
-      "shrink: keep cracks away from it. Unit: mm.");
+      "decides. Points alone may hold the body, too. The stress under a single "
+      "node grows without limit as cells shrink: keep cracks away from it. "
+      "Unit: mm.");
     prm.add_parameter("Traction",
                       traction_text,
                       "Forces per area on the boundary, 'boundary : component "
@@ -218,12 +219,13 @@ namespace MixedCracks
       require_known(entry.boundary, displacement_name);
       any_displacement = any_displacement || entry.component < dim;
     }
-    if (!any_displacement)
+    const bool any_point = !point_displacements().empty();
+    if (!any_displacement && !any_point)
       throw InputError(displacement_name +
-                       ": no displacement is prescribed anywhere, so the body "
-                       "can move freely. Allowed boundaries: " +
+                       ": no displacement is prescribed anywhere, here or in "
+                       "Displacement at points, so the body can move freely. "
+                       "Allowed boundaries: " +
                        join_names(names) + ".");
-    point_displacements();
     for (const auto &traction : tractions(dim))
       require_known(traction.first, traction_name);
     body_force(dim);

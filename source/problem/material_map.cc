@@ -87,9 +87,9 @@ namespace MixedCracks
       "picture (PGM, P2 or P5; 0 is black, 1 is white; in 3-d the same for all "
       "z), or a table of 'x, y, value' or 'x, y, z, value' in each line, which "
       "are the nodes of a grid parallel to the axes (CSV; mm). Beyond its edge "
-      "the map goes on as at the edge. A relative path starts at the working "
-      "directory. Empty: no map.",
-      Anything());
+      "the map goes on as at the edge. A relative path starts at the .prm that "
+      "sets it, or else at the working directory. Empty: no map.",
+      FileName(FileName::input));
     prm.add_parameter("Lower corner",
                       lower_corner,
                       "Lower left corner of a picture, 'x, y'; empty: that of "

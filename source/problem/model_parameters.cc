@@ -49,14 +49,21 @@ namespace MixedCracks
         "Length scale",
         model.length_scale,
         "The length l of the crack density (epsilon in the paper): a number or "
-        "an expression in h, the mean size of the finest cells of the first "
-        "mesh, as '2*h'. Unit: mm.",
+        "an expression in h, as '2*h'. h is the edge of the finest cells of the "
+        "first mesh, the mean of (measure)^(1/dim), and stays when the mesh is "
+        "adapted. A program whose h is the diagonal of a cell has sqrt(dim) h "
+        "in its place, one that counts k levels of adaptation in has h/2^k: "
+        "there '4*h' on the diagonal of the last mesh is "
+        "'4*sqrt(2)*h/2^k' here in 2-d. Unit: mm.",
         Patterns::Anything());
       prm.add_parameter(
         "Residual stiffness",
         model.residual_stiffness,
-        "kappa of g(phi) = (1 - kappa) phi^2 + kappa, between 0 and 1: a "
-        "number or an expression in h, as '0.01*h'. Unit: 1.",
+        "kappa of g(phi) = (1 - kappa) phi^2 + kappa, from 0 to below 1: a "
+        "number or an expression in h, the edge of the finest cells of the "
+        "first mesh as in Model/Length scale, as '0.01*h'. With 0, broken "
+        "cells have no stiffness at all: the matrix may be singular, and the "
+        "linear solver has to be a direct one. Unit: 1.",
         Patterns::Anything());
     }
 
@@ -147,20 +154,25 @@ namespace MixedCracks
     double
     evaluate_in_h(const std::string &text,
                   const std::string &parameter,
-                  const double       h,
-                  const double       upper_bound)
+                  const double       h)
     {
-      const double value = Expression(text, {"h"}, parameter)({h});
-      if (!(value > 0. && value < upper_bound))
-      {
-        std::ostringstream message;
-        message << parameter << ": '" << text << "' is " << value
-                << " for h = " << h << " mm, allowed is a positive number";
-        if (upper_bound < std::numeric_limits<double>::max())
-          message << " below " << upper_bound;
-        throw InputError(message.str() + ".");
-      }
-      return value;
+      return Expression(text, {"h"}, parameter)({h});
+    }
+
+    void
+    require_in_range(const bool         in_range,
+                     const std::string &text,
+                     const std::string &parameter,
+                     const double       value,
+                     const double       h,
+                     const std::string &allowed)
+    {
+      if (in_range)
+        return;
+      std::ostringstream message;
+      message << parameter << ": '" << text << "' is " << value
+              << " for h = " << h << " mm, allowed is " << allowed << ".";
+      throw InputError(message.str());
     }
   } // namespace
 
@@ -231,10 +243,11 @@ namespace MixedCracks
   double
   ModelParameters::evaluate_length_scale(const double h) const
   {
-    return evaluate_in_h(length_scale,
-                         "Model/Length scale",
-                         h,
-                         std::numeric_limits<double>::max());
+    const std::string parameter = "Model/Length scale";
+    const double      value     = evaluate_in_h(length_scale, parameter, h);
+    require_in_range(
+      value > 0., length_scale, parameter, value, h, "a positive number");
+    return value;
   }
 
 
@@ -242,7 +255,15 @@ namespace MixedCracks
   double
   ModelParameters::evaluate_residual_stiffness(const double h) const
   {
-    return evaluate_in_h(residual_stiffness, "Model/Residual stiffness", h, 1.);
+    const std::string parameter = "Model/Residual stiffness";
+    const double      value = evaluate_in_h(residual_stiffness, parameter, h);
+    require_in_range(value >= 0. && value < 1.,
+                     residual_stiffness,
+                     parameter,
+                     value,
+                     h,
+                     "a number from 0, and below 1");
+    return value;
   }
 
 

@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include <core/errors.h>
+#include <core/names.h>
 
 #include <deal.II/base/patterns.h>
 
 #include <solvers/load_control.h>
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
-#include <sstream>
 
 namespace MixedCracks
 {
@@ -25,18 +26,41 @@ namespace MixedCracks
     constexpr double apart_fraction = 0.15;
 
     void
-    require_order(const std::string &smaller_name,
-                  const double       smaller,
-                  const std::string &larger_name,
-                  const double       larger)
+    add_steps(dealii::ParameterHandler &prm, LoadParameters &load)
     {
-      if (smaller <= larger)
-        return;
-      std::ostringstream message;
-      message << "Load stepping/" << smaller_name << ": " << smaller
-              << " s is larger than Load stepping/" << larger_name << ", "
-              << larger << " s. It must not be.";
-      throw InputError(message.str());
+      prm.add_parameter("First step",
+                        load.first_step,
+                        "The first load step dt to be tried; 0: that of the "
+                        "schedule at t = 0, or else Largest step. Unit: s.",
+                        Double(0.));
+      prm.add_parameter("Largest step",
+                        load.largest_step,
+                        "Load steps grow after easy steps, up to this; 0: a "
+                        "tenth of End time, or the longest step of a schedule "
+                        "that begins at t = 0. Unit: s.",
+                        Double(0.));
+      prm.add_parameter(
+        "Onset step",
+        load.onset_step,
+        "At this step and below, a large change of the phase field is a "
+        "running crack and is accepted; above it the step is halved. 0: a "
+        "tenth of Largest step, but no more than any step of the schedule. "
+        "Unit: s.",
+        Double(0.));
+      prm.add_parameter("Smallest step",
+                        load.smallest_step,
+                        "A step that fails is halved; failing at this one ends "
+                        "the run with exit status 3. 0: a hundredth of Onset "
+                        "step. Unit: s.",
+                        Double(0.));
+      prm.add_parameter(
+        "Step schedule",
+        load.step_schedule,
+        "Largest steps over time, 'time : step, ...', as '0 : 1e-4, 0.005 : "
+        "1e-5': from that time on, no step is longer. A step ends at each of "
+        "the times. With Largest phase-field change = 0 these are the steps. "
+        "Empty: none. Unit: s.",
+        dealii::Patterns::Anything());
     }
   } // namespace
 
@@ -51,26 +75,7 @@ namespace MixedCracks
                       end_time,
                       "Time t at which the run ends. Unit: s.",
                       Double(tiny));
-    prm.add_parameter("First step",
-                      first_step,
-                      "The first load step dt to be tried. Unit: s.",
-                      Double(tiny));
-    prm.add_parameter("Largest step",
-                      largest_step,
-                      "Load steps grow after easy steps, up to this. Unit: s.",
-                      Double(tiny));
-    prm.add_parameter(
-      "Onset step",
-      onset_step,
-      "At this step and below, a large change of the phase field is a running "
-      "crack and is accepted; above it the step is halved. Unit: s.",
-      Double(tiny));
-    prm.add_parameter(
-      "Smallest step",
-      smallest_step,
-      "A step that fails is halved; failing below this one ends the run with "
-      "exit status 3. Unit: s.",
-      Double(tiny));
+    add_steps(prm, *this);
     prm.add_parameter(
       "Largest phase-field change",
       largest_phase_field_change,
@@ -104,7 +109,10 @@ namespace MixedCracks
                       force_boundary,
                       "Name of the boundary whose reaction force is reported; "
                       "displacement must be prescribed on it. Empty: the first "
-                      "one named in Boundary conditions/Displacement.");
+                      "one named in Boundary conditions/Displacement; where "
+                      "displacement is prescribed at points only, the points "
+                      "that move (all where none does), whose reaction is "
+                      "taken as it acts on the body.");
     prm.leave_subsection();
   }
 
@@ -113,10 +121,9 @@ namespace MixedCracks
   void
   LoadParameters::check() const
   {
-    require_order("Smallest step", smallest_step, "Onset step", onset_step);
-    require_order("Onset step", onset_step, "Largest step", largest_step);
-    require_order("Smallest step", smallest_step, "First step", first_step);
-    require_order("First step", first_step, "Largest step", largest_step);
+    const std::vector<std::string> problems = contradictions(given_steps());
+    if (!problems.empty())
+      throw InputError(join_names(problems, "\n"));
     if (stop_at_onset && largest_phase_field_change == 0.)
       throw InputError("Load stepping/Stop at onset is true, but Load "
                        "stepping/Largest phase-field change is 0: without a "
@@ -129,9 +136,23 @@ namespace MixedCracks
 
 
 
+  GivenSteps
+  LoadParameters::given_steps() const
+  {
+    return {end_time,
+            first_step,
+            largest_step,
+            onset_step,
+            smallest_step,
+            parse_schedule(step_schedule, "Load stepping/Step schedule")};
+  }
+
+
+
   LoadControl::LoadControl(const LoadParameters &parameters)
     : parameters(parameters)
-    , time_step(parameters.first_step)
+    , steps(parameters.steps())
+    , time_step(steps.first)
   {
     limit_step();
   }
@@ -160,7 +181,7 @@ namespace MixedCracks
   bool
   LoadControl::is_onset_step() const
   {
-    return time_step <= parameters.onset_step * (1. + rounding);
+    return time_step <= steps.onset * (1. + rounding);
   }
 
 
@@ -171,21 +192,26 @@ namespace MixedCracks
     const double bound = phase_field_bound();
     if (converged && phase_field_change <= bound)
     {
+      const double scheduled = steps.next_scheduled_time(time);
       time += time_step;
+      const bool landed = std::abs(time - scheduled) <= steps.rounding();
+      if (landed)
+        time = scheduled;
       // one that the end time has cut says nothing of the natural step
       if (time_step < natural)
         time_step = natural;
       // a step that used little of the bound was easy; without a bound the
       // first step is the step, but for recovering from failures
       else if (parameters.largest_phase_field_change == 0.)
-        time_step = std::min(2. * time_step, parameters.first_step);
+        time_step = landed ? steps.fixed_at(time)
+                           : std::min(2. * time_step, steps.fixed_at(time));
       else if (phase_field_change < 0.3 * parameters.largest_phase_field_change)
       {
         // what was refused just now would be refused again
         if (to_wait > 0)
           --to_wait;
         else
-          time_step = std::min(2. * time_step, parameters.largest_step);
+          time_step = std::min(2. * time_step, steps.largest_at(time));
       }
       limit_step();
       return Verdict::accept;
@@ -195,13 +221,13 @@ namespace MixedCracks
     ++rejected;
     if (converged)
     {
-      time_step = std::max(0.5 * time_step, parameters.onset_step);
+      time_step = std::max(0.5 * time_step, steps.onset);
       to_wait   = steps_before_growth;
     }
-    else if (time_step <= parameters.smallest_step * (1. + rounding))
+    else if (time_step <= steps.smallest * (1. + rounding))
       return Verdict::give_up;
     else
-      time_step = std::max(0.5 * time_step, parameters.smallest_step);
+      time_step = std::max(0.5 * time_step, steps.smallest);
     natural = time_step;
     return Verdict::repeat;
   }
@@ -211,7 +237,7 @@ namespace MixedCracks
   bool
   LoadControl::at_end() const
   {
-    return time >= parameters.end_time - rounding * parameters.first_step;
+    return time >= parameters.end_time - rounding * steps.first;
   }
 
 
@@ -240,10 +266,18 @@ namespace MixedCracks
   void
   LoadControl::limit_step()
   {
+    time_step = std::min(time_step, steps.largest_at(time));
+    // to a scheduled time in one step or in two equal ones, so that none is a
+    // crumb
+    const double to_next = steps.next_scheduled_time(time) - time;
+    if (time_step > to_next - steps.rounding())
+      time_step = to_next;
+    else if (2. * time_step > to_next + steps.rounding())
+      time_step = 0.5 * to_next;
     natural           = time_step;
     const double left = parameters.end_time - time;
     // no crumb of a step just before the end
-    if (time_step > left || time_step > left - parameters.smallest_step)
+    if (time_step > left || time_step > left - steps.smallest)
       time_step = std::max(left, 0.);
   }
 
@@ -255,14 +289,14 @@ namespace MixedCracks
                        const double       peak_force,
                        const unsigned int steps_to_wait)
   {
+    time = new_time;
     // without a bound the first step is the largest one, too
     const double largest = parameters.largest_phase_field_change == 0.
-                             ? parameters.first_step
-                             : parameters.largest_step;
-    time                 = new_time;
-    time_step = std::min(std::max(step, parameters.smallest_step), largest);
-    peak      = peak_force;
-    to_wait   = steps_to_wait;
+                             ? steps.fixed_at(time)
+                             : steps.largest_at(time);
+    time_step            = std::min(std::max(step, steps.smallest), largest);
+    peak                 = peak_force;
+    to_wait              = steps_to_wait;
     limit_step();
   }
 } // namespace MixedCracks

@@ -54,6 +54,7 @@ def first_step(path):
 
 
 def offences(command, path, folder):
+    """Of a run in an empty working directory."""
     results = os.path.join(folder, "results")
     step = first_step(path)
     if step is None:
@@ -64,7 +65,7 @@ def offences(command, path, folder):
     arguments = [path, "--output", results]
     for each in sets:
         arguments += ["--set", each]
-    process = subprocess.run(command + arguments, cwd=ROOT,
+    process = subprocess.run(command + arguments, cwd=folder,
                              stdin=subprocess.DEVNULL, stdout=subprocess.PIPE,
                              stderr=subprocess.PIPE, universal_newlines=True,
                              timeout=600)

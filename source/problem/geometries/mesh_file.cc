@@ -35,13 +35,15 @@ namespace MixedCracks
   MeshFile<dim>::add_parameters(dealii::ParameterHandler &prm)
   {
     using dealii::Patterns::Anything;
-    prm.add_parameter("File name",
-                      file_name,
-                      "Gmsh .msh (version 2 or 4, ASCII), Abaqus .inp or UCD "
-                      "mesh of four-node quadrilaterals, in 3-d of eight-node "
-                      "hexahedra; lengths in mm. A relative path starts at the "
-                      "working directory.",
-                      Anything());
+    prm.add_parameter(
+      "File name",
+      file_name,
+      "Gmsh .msh (version 2 or 4, ASCII), Abaqus .inp or UCD "
+      "mesh of four-node quadrilaterals, in 3-d of eight-node "
+      "hexahedra; lengths in mm. A relative path starts "
+      "at the .prm that sets it, or else at the working "
+      "directory.",
+      dealii::Patterns::FileName(dealii::Patterns::FileName::input));
     prm.add_parameter("Boundary names",
                       boundary_names,
                       "Names for the boundary ids of the file, as in '1 = "

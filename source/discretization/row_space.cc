@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include <discretization/row_space.h>
+
+#include <cmath>
+#include <utility>
+
+namespace MixedCracks
+{
+  namespace
+  {
+    double
+    norm(const Row &row)
+    {
+      double square = 0.;
+      for (const double value : row)
+        square += value * value;
+      return std::sqrt(square);
+    }
+  } // namespace
+
+
+
+  RowSpace::RowSpace(const std::size_t n_columns)
+    : n_columns(n_columns)
+  {}
+
+
+
+  void
+  RowSpace::add(Row row)
+  {
+    if (rows.size() == n_columns)
+      return;
+    const double size = norm(row);
+    // twice, for rounding
+    for (unsigned int pass = 0; pass < 2; ++pass)
+      for (const Row &other : rows)
+      {
+        double product = 0.;
+        for (std::size_t i = 0; i < n_columns; ++i)
+          product += row[i] * other[i];
+        for (std::size_t i = 0; i < n_columns; ++i)
+          row[i] -= product * other[i];
+      }
+    const double left = norm(row);
+    if (!(left > negligible_row * size))
+      return;
+    for (double &value : row)
+      value /= left;
+    rows.push_back(row);
+  }
+
+
+
+  std::vector<Row>
+  RowSpace::kernel() const
+  {
+    // what unit rows add to the space
+    RowSpace all(*this);
+    for (std::size_t i = 0; i < n_columns; ++i)
+    {
+      Row unit(n_columns, 0.);
+      unit[i] = 1.;
+      all.add(unit);
+    }
+    return {all.rows.begin() + rows.size(), all.rows.end()};
+  }
+
+
+
+  std::vector<Row>
+  reduced_echelon_form(std::vector<Row> rows, const std::size_t n_columns)
+  {
+    std::size_t rank = 0;
+    for (std::size_t column = 0; column < n_columns && rank < rows.size();
+         ++column)
+    {
+      std::size_t pivot = rank;
+      for (std::size_t i = rank; i < rows.size(); ++i)
+        if (std::abs(rows[i][column]) > std::abs(rows[pivot][column]))
+          pivot = i;
+      if (std::abs(rows[pivot][column]) <= negligible_row)
+        continue;
+      std::swap(rows[rank], rows[pivot]);
+      const double value = rows[rank][column];
+      for (double &each : rows[rank])
+        each /= value;
+      for (std::size_t i = 0; i < rows.size(); ++i)
+        if (i != rank)
+        {
+          const double factor = rows[i][column];
+          for (std::size_t j = 0; j < n_columns; ++j)
+            rows[i][j] -= factor * rows[rank][j];
+        }
+      ++rank;
+    }
+    rows.resize(rank);
+    return rows;
+  }
+} // namespace MixedCracks

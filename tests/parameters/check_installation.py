@@ -1,0 +1,82 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""What `cmake --install` leaves works by itself, from any directory.
+
+    check_installation.py CMAKE BUILD_DIRECTORY MPIRUN
+
+Installs into a new prefix and, from an empty working directory: every case that
+is there passes --check, those that read files make two steps, and the scripts on
+the PATH find their parts and the program.
+"""
+import os
+import re
+import subprocess
+import sys
+import tempfile
+import unittest
+
+sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
+import check_all  # noqa: E402
+import run_two_steps  # noqa: E402
+
+CMAKE, BUILD, MPIRUN = "", "", ""
+SCRIPTS = ("report", "sweep", "study", "picture-3d")
+
+
+class Installation(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        cls.directory = tempfile.TemporaryDirectory()
+        cls.prefix = os.path.join(cls.directory.name, "here")
+        subprocess.run([CMAKE, "--install", BUILD, "--prefix", cls.prefix], check=True,
+                       stdout=subprocess.DEVNULL)
+        cls.shared = os.path.join(cls.prefix, "share", "mixed-cracks")
+        cls.program = os.path.join(cls.prefix, "bin", "mixed-cracks")
+        cls.cases = list(check_all.parameter_files(cls.shared))
+
+    @classmethod
+    def tearDownClass(cls):
+        cls.directory.cleanup()
+
+    def call(self, *words):
+        """Output of what the PATH has under that name."""
+        path = os.path.join(self.prefix, "bin") + os.pathsep + os.environ["PATH"]
+        with tempfile.TemporaryDirectory() as folder:
+            return subprocess.run(words, cwd=folder, env=dict(os.environ, PATH=path),
+                                  check=True, stdout=subprocess.PIPE,
+                                  universal_newlines=True).stdout
+
+    def test_every_case_passes_check(self):
+        self.assertGreater(len(self.cases), 10)
+        for path in self.cases:
+            found = list(check_all.offences([self.program], path))
+            self.assertEqual(found, [], path)
+
+    def test_cases_with_files_make_two_steps(self):
+        n_cases = 0
+        for path in self.cases:
+            with open(path, encoding="utf-8") as stream:
+                if not re.search(r"^\s*set\s+File name", stream.read(), re.MULTILINE):
+                    continue
+            n_cases += 1
+            with tempfile.TemporaryDirectory() as folder:
+                found = list(run_two_steps.offences(
+                    [MPIRUN, "-n", "1", self.program], path, folder))
+            self.assertEqual(found, [], path)
+        self.assertGreaterEqual(n_cases, 4)
+
+    def test_scripts_are_on_the_path(self):
+        for name in SCRIPTS:
+            self.assertIn("usage", self.call("mixed-cracks-" + name, "--help").lower())
+        sweep = os.path.join(self.shared, "parameters", "epdm", "notch_heights.sweep")
+        lines = self.call("mixed-cracks-sweep", sweep, "--list").splitlines()
+        self.assertGreater(len(lines), 1)
+        for line in lines:
+            self.assertIn(self.program, line)
+
+
+if __name__ == "__main__":
+    if len(sys.argv) != 4:
+        sys.exit(__doc__)
+    CMAKE, BUILD, MPIRUN = sys.argv[1], os.path.abspath(sys.argv[2]), sys.argv[3]
+    unittest.main(argv=sys.argv[:1])
