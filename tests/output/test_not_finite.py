@@ -23,7 +23,6 @@ AT_START = {
     "body force": "Boundary conditions/Body force=x : -1e300",
     "fluid pressure": "Fluid/Pressure=1e300",
     "toughness": "Material/Critical energy release rate=1e307",
-    "shear modulus": "Material/Shear modulus=1e300",
     "point": "Boundary conditions/Displacement at points=1, 0.5 : x : 1e250"}
 LATER_ON = {
     "displacement": MOVE + "0.1*t + " + LATER,

@@ -62,7 +62,9 @@ def main():
             shutil.copytree(whole, run)
             for table in TABLES + ("crack_path.pvd",):
                 damage(os.path.join(run, table))
-            for vtp in content(os.path.join(run, "crack_path")):
+            # one that is whole is not looked into
+            for vtp in content(os.path.join(run, "crack_path")) \
+                    if name != "with a row too many" else ():
                 damage(os.path.join(run, "crack_path", vtp))
             # goes on, or ends again: the rows until here are what they were
             small_runs.run(program, folder, "--resume", "--output", "run",
