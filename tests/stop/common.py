@@ -44,11 +44,18 @@ def by_launcher(ranks=None):
     return [str(LAUNCHER)] + (["-n", str(ranks)] if ranks else [])
 
 
+def as_options(settings):
+    """--set for each entry; of several the last one holds."""
+    words = []
+    for setting in dict(setting.split("=", 1) for setting in settings).items():
+        words += ["--set", "=".join(setting)]
+    return words
+
+
 def start(how, directory, *options, settings=(), case=CASE, coarse=COARSE, **keywords):
     """A process; how: the command before the options of the program."""
     command = how + [str(case), "--output", str(directory), *options]
-    for setting in (*coarse, *settings):
-        command += ["--set", setting]
+    command += as_options((*coarse, *settings))
     return subprocess.Popen(command, stdin=subprocess.DEVNULL,
                             stdout=subprocess.PIPE, stderr=subprocess.STDOUT,
                             text=True, start_new_session=True, **keywords)

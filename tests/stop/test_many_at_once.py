@@ -27,10 +27,9 @@ def main():
                 command = [sys.argv[1], "--version"] if each % 2 else [
                     sys.argv[1], str(common.CASE), "--output", str(directory)]
                 if not each % 2:
-                    for setting in common.COARSE + [
-                            "Load stepping/End time=0.4", "Output/Checkpoint every=1",
-                            "Output/Field format=VTU"]:
-                        command += ["--set", setting]
+                    command += common.as_options(common.COARSE + [
+                        "Load stepping/End time=0.4", "Output/Checkpoint every=1",
+                        "Output/Field format=VTU"])
                 processes.append(subprocess.Popen(
                     command, stdout=subprocess.DEVNULL, stderr=subprocess.PIPE,
                     text=True))
