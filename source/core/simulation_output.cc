@@ -143,7 +143,9 @@ namespace MixedCracks
     field_output.write(
       state,
       step,
-      assembler->cell_data(state.elastic, state.lagged_phase_field).values);
+      assembler
+        ->cell_data(state.elastic, state.lagged_phase_field, state.phase_field)
+        .values);
   }
 
 
