@@ -2,6 +2,8 @@
 #include <core/simulation.h>
 #include <core/version.h>
 
+#include <output/energy_balance.h>
+
 #include <fstream>
 
 namespace MixedCracks
@@ -74,6 +76,7 @@ namespace MixedCracks
     statistics.add(row);
     log_step(row);
     check_energy_balance();
+    check_damage();
 
     if (row.force_size() > load_control.peak_force())
     {
@@ -208,6 +211,12 @@ namespace MixedCracks
     summary.dimension         = dim;
     summary.with_crack_volume = parameters.crack_opening.crack_volume;
     summary.warnings          = warnings;
+    for (const std::string &warning :
+         {damage_warning(),
+          imbalance_in_words(statistics.rows(),
+                             parameters.output.energy_imbalance_tolerance)})
+      if (!warning.empty())
+        summary.warnings.push_back(warning);
     return summary;
   }
 
