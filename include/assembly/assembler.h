@@ -130,12 +130,17 @@ namespace MixedCracks
       return static_cast<bool>(constants_at);
     }
 
+    /// Those of @p elastic and @p phase_field. @p lagged_phase_field: the one
+    /// that the pressures of @p elastic were solved with.
     Energies energies(const Vector &elastic,
                       const Vector &lagged_phase_field,
                       const Vector &phase_field);
 
+    /// Stresses that are in equilibrium, of @p lagged_phase_field, and the
+    /// energy density of @p phase_field, whose integral is in energies().
     CellData<dim> cell_data(const Vector &elastic,
-                            const Vector &lagged_phase_field);
+                            const Vector &lagged_phase_field,
+                            const Vector &phase_field);
 
   private:
     using Cell = typename dealii::DoFHandler<dim>::active_cell_iterator;
@@ -170,6 +175,7 @@ namespace MixedCracks
     dealii::Vector<double>                       local_elastic;
     dealii::Vector<double>                       local_phase_field;
     std::vector<double>                          lagged_values;
+    std::vector<double>                          phase_field_values;
     std::vector<dealii::types::global_dof_index> elastic_indices;
     std::vector<dealii::types::global_dof_index> phase_field_indices;
 

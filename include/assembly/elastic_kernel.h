@@ -99,6 +99,11 @@ namespace MixedCracks
     /// Degraded elastic energy of the cell, N (mJ per mm thickness).
     double energy() const;
 
+    /// The same with another phase field than set_state() had, given at the
+    /// quadrature points: of the same displacements, with the pressure that
+    /// the pressure law gives them then.
+    double energy(const std::vector<double> &phase_field) const;
+
     /// Sizes of the terms that cancel in the residual, squared and summed
     /// over the dofs of the displacement and of the pressure: what a small
     /// residual has to be compared with.
@@ -115,10 +120,13 @@ namespace MixedCracks
       dealii::SymmetricTensor<2, dim> stress;         ///< MPa, degraded
       double                          energy_density; ///< MPa, degraded
     };
-    CellAverages averages() const;
+    /// Stresses are those of set_state(), the energy that of @p phase_field.
+    CellAverages averages(const std::vector<double> &phase_field) const;
 
   private:
     void evaluate_responses(ElasticEvaluation wanted);
+
+    double degradation(double phase_field) const;
 
     void displacement_block(unsigned int                q,
                             dealii::FullMatrix<double> &result) const;

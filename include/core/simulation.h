@@ -194,6 +194,12 @@ namespace MixedCracks
     /// Warn when the last step is not balanced.
     void check_energy_balance();
 
+    /// On where there is damage, or ""; see damage_in_words(). Collective.
+    std::string damage_warning();
+
+    /// Say it once. Collective.
+    void check_damage();
+
     const Parameters<dim> &parameters;
     const std::string      effective_parameters;
     const CaseSignature    signature;
@@ -234,8 +240,8 @@ namespace MixedCracks
     unsigned int             peak_step = 0;
     RunEnd                   run_end   = RunEnd::none;
     std::string              why_failed; // behind the words for the end
-    unsigned int             n_refinements      = 0; // of the mesh, in all
-    unsigned int             n_imbalanced_steps = 0;
+    unsigned int             n_refinements   = 0; // of the mesh, in all
+    bool                     damage_is_known = false;
     std::string              case_in_words;
     std::string              linear_solver_in_words;
     std::vector<std::string> warnings;

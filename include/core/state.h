@@ -12,7 +12,7 @@ namespace MixedCracks
   struct State
   {
     double time      = 0.; ///< s
-    double time_step = 0.; ///< that led here, s
+    double time_step = 0.; ///< that led here, s; 0: the initial state
 
     LinearAlgebra::Vector elastic;     ///< displacement (mm), pressure (MPa)
     LinearAlgebra::Vector phase_field; ///< 1 intact, 0 broken

@@ -85,7 +85,9 @@ namespace MixedCracks
                MPI_Comm               communicator,
                Log                   &log);
 
-    /// Solve for @p trial, whose time is set, from @p accepted. Left early
+    /// Solve for @p trial, whose time and time step are set, from @p accepted;
+    /// iterated until it is in equilibrium where the time step is 0, that is
+    /// for the initial state, whatever the coupling. Left early
     /// when the phase field changed by more than @p bound, and when the mesh
     /// is too coarse: then both states are to be carried to a finer one, and
     /// this is called again with the outcome so far. The iterated coupling
@@ -98,6 +100,9 @@ namespace MixedCracks
 
   private:
     bool is_settled(const StepOutcome &outcome) const;
+
+    /// With any coupling, the initial state is.
+    bool is_iterated(const State &trial) const;
 
     void start(const State &accepted, State &trial);
 

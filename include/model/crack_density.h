@@ -4,6 +4,8 @@
 
 #include <core/registry.h>
 
+#include <algorithm>
+
 namespace MixedCracks
 {
   /// Crack surface density per unit volume (1/mm), see (M1) in doc/model.md:
@@ -21,6 +23,30 @@ namespace MixedCracks
 
     /// a''(phi).
     virtual double local_second_derivative(double phi) const = 0;
+
+    /// Smallest and largest a'' over 0 <= phi <= 1, exactly.
+    struct Curvature
+    {
+      double smallest;
+      double largest;
+    };
+    virtual Curvature curvature() const = 0;
+
+    /// How far a is from convex: a + concavity() phi^2 / 2 is convex over
+    /// 0 <= phi <= 1; not negative.
+    double
+    concavity() const
+    {
+      return std::max(0., -curvature().smallest);
+    }
+
+    /// Whether a'' is the same for every phi.
+    bool
+    is_quadratic() const
+    {
+      const Curvature range = curvature();
+      return range.smallest == range.largest;
+    }
 
     /// b, dimensionless.
     virtual double gradient_coefficient() const = 0;

@@ -124,6 +124,14 @@ namespace MixedCracks
       return elastic_energy(strain, pressure, g, uniform);
     }
 
+    /// What @p pressure, which the constraint gave for the degradation
+    /// @p g_before, becomes when the constraint is that of @p g_after and the
+    /// strain stays: MPa. It keeps its sign.
+    double pressure_after(double                pressure,
+                          double                g_before,
+                          double                g_after,
+                          const PointConstants &at) const;
+
     /// Whether intact material is linearly elastic; see
     /// EnergySplit::adds_up().
     bool

@@ -35,10 +35,9 @@ namespace MixedCracks
     double       peak_force    = 0.; ///< N
     double       external_work = 0.; ///< mJ
     unsigned int peak_step     = 0;
-    unsigned int steps_to_wait = 0;      ///< before the load step may grow
-    unsigned int n_refinements = 0;      ///< of the mesh so far
-    unsigned int n_imbalanced_steps = 0; ///< so far
-    RunTotals    totals;                 ///< so far
+    unsigned int steps_to_wait = 0; ///< before the load step may grow
+    unsigned int n_refinements = 0; ///< of the mesh so far
+    RunTotals    totals;            ///< so far
 
     /// where damage was seen first, mm
     std::vector<dealii::Point<2>>               nuclei;

@@ -276,9 +276,10 @@ namespace MixedCracks
     {
       load_elastic(
         cell, elastic, lagged_phase_field, ElasticEvaluation::points);
-      sum.elastic += elastic_kernel.energy();
-      phase_field_kernel.reinit(cells->geometry(cell), (*constants)[cell]);
       cells->phase_field.read(cell, phase_field, local_phase_field);
+      phase_field_kernel.interpolate(local_phase_field, phase_field_values);
+      sum.elastic += elastic_kernel.energy(phase_field_values);
+      phase_field_kernel.reinit(cells->geometry(cell), (*constants)[cell]);
       phase_field_kernel.set_state(local_phase_field, nothing);
       sum.crack += phase_field_kernel.energy();
       sum.crack_surface += phase_field_kernel.crack_surface();
@@ -295,7 +296,8 @@ namespace MixedCracks
   template <int dim>
   CellData<dim>
   Assembler<dim>::cell_data(const Vector &elastic,
-                            const Vector &lagged_phase_field)
+                            const Vector &lagged_phase_field,
+                            const Vector &phase_field)
   {
     const unsigned int n_cells =
       fields.elastic.get_triangulation().n_active_cells();
@@ -310,7 +312,9 @@ namespace MixedCracks
     {
       load_elastic(
         cell, elastic, lagged_phase_field, ElasticEvaluation::stresses);
-      const auto         averages = elastic_kernel.averages();
+      cells->phase_field.read(cell, phase_field, local_phase_field);
+      phase_field_kernel.interpolate(local_phase_field, phase_field_values);
+      const auto         averages = elastic_kernel.averages(phase_field_values);
       const unsigned int index    = cells->active_index(cell);
       for (unsigned int i = 0; i < dim; ++i)
         for (unsigned int j = i; j < dim; ++j)

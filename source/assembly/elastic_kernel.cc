@@ -57,6 +57,18 @@ namespace MixedCracks
 
 
 
+  // Interpolating phi = 1 leaves rounding; the intact material must not see it,
+  // since an unchanged matrix is not built or factorised again.
+  template <int dim>
+  double
+  ElasticKernel<dim>::degradation(const double phase_field) const
+  {
+    return phase_field > 1. - 1e-13 ? 1.
+                                    : material.degradation().value(phase_field);
+  }
+
+
+
   template <int dim>
   void
   ElasticKernel<dim>::set_state(const Vector<double>      &local,
@@ -71,12 +83,8 @@ namespace MixedCracks
         for (unsigned int d = 0; d < dim; ++d)
           gradient[d] +=
             local(displacement_dofs[a][d]) * displacement_shapes.gradient(a, q);
-      point.strain = symmetrize(gradient);
-      // interpolating phi = 1 leaves rounding; the intact material must not
-      // see it, since an unchanged matrix is not built or factorised again
-      const double phi = lagged_phase_field[q];
-      point.degradation =
-        phi > 1. - 1e-13 ? 1. : material.degradation().value(phi);
+      point.strain      = symmetrize(gradient);
+      point.degradation = degradation(lagged_phase_field[q]);
       if (mixed)
       {
         point.pressure = 0.;
@@ -254,6 +262,28 @@ namespace MixedCracks
 
 
   template <int dim>
+  double
+  ElasticKernel<dim>::energy(const std::vector<double> &phase_field) const
+  {
+    double sum = 0.;
+    for (unsigned int q = 0; q < states.size(); ++q)
+    {
+      const ElasticPoint<dim> &point = states[q];
+      const double             g     = degradation(phase_field[q]);
+      sum += geometry->weights[q] *
+             material.elastic_energy(
+               point.strain,
+               material.pressure_after(
+                 point.pressure, point.degradation, g, constants[q]),
+               g,
+               constants[q]);
+    }
+    return sum;
+  }
+
+
+
+  template <int dim>
   std::pair<double, double>
   ElasticKernel<dim>::squared_scale() const
   {
@@ -286,14 +316,14 @@ namespace MixedCracks
 
   template <int dim>
   typename ElasticKernel<dim>::CellAverages
-  ElasticKernel<dim>::averages() const
+  ElasticKernel<dim>::averages(const std::vector<double> &phase_field) const
   {
     CellAverages result{{}, 0.};
     const double volume = geometry->volume();
     for (unsigned int q = 0; q < states.size(); ++q)
       result.stress += geometry->weights[q] * responses[q].stress;
     result.stress /= volume;
-    result.energy_density = energy() / volume;
+    result.energy_density = energy(phase_field) / volume;
     return result;
   }
 

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include <core/simulation.h>
+#include <core/simulation_plausibility.h>
 #include <core/version.h>
+
+#include <output/energy_balance.h>
 
 #include <cmath>
 
@@ -147,6 +150,17 @@ namespace MixedCracks
       warnings.push_back("pressure law '" + parameters.model.pressure_law +
                          "' in a nearly incompressible solid (" + kinematics +
                          "): cracks hardly open, see doc/model.md, section 3");
+    const CaseScales scales = case_scales(parameters,
+                                          coarse_extent(triangulation),
+                                          material_range,
+                                          constants.length_scale,
+                                          cell_size_at_cracks());
+    log.line(in_words(scales.strength));
+    const std::string remark = remark_about(scales);
+    if (!remark.empty())
+      log.line(remark);
+    for (const std::string &warning : warnings_about(scales))
+      warnings.push_back(warning);
     for (const std::string &warning : warnings)
       log.line("warning: " + warning);
   }
@@ -199,30 +213,24 @@ namespace MixedCracks
     const double tolerance = parameters.output.energy_imbalance_tolerance;
     if (rows.size() < 2 || tolerance == 0.)
       return;
-    const StatisticsRow &row = rows.back();
-    const double imbalance   = row.energy_imbalance(rows[rows.size() - 2]);
-    // loads that are there from the start have done no work since, but have
-    // stored energy
-    const double scale =
-      std::max(std::abs(row.external_work), row.elastic_energy);
-    if (!(std::abs(imbalance) > tolerance * scale))
+    const StatisticsRow &row  = rows.back();
+    const StepImbalance  step = imbalance(rows[rows.size() - 2], row);
+    if (!step.exceeds(tolerance))
       return;
     const std::string reason =
       parameters.model.coupling != "iterated"
         ? "the lagged phase field acts as a rate effect"
-      : imbalance > 0. &&
+      : step.energy > 0. &&
           row.phase_field_change > parameters.load.largest_phase_field_change
         ? "set free by a crack that ran"
         : "the step is too long, or the pressure law has no energy";
     log.line(printed("  energy balance: %.4g mJ of this step, %.1f %% of the "
                      "%s, are neither stored nor in the crack: %s",
-                     imbalance,
-                     100. * imbalance / scale,
-                     row.elastic_energy > std::abs(row.external_work)
-                       ? "stored energy"
-                       : "external work so far",
+                     step.energy,
+                     100. * step.energy / step.scale,
+                     step.is_of_stored_energy ? "stored energy"
+                                              : "external work so far",
                      reason.c_str()));
-    ++n_imbalanced_steps;
   }
 
 
@@ -258,13 +266,10 @@ namespace MixedCracks
                        ? 100. * last.force_size() / peak.force_size()
                        : 0.,
                      last.displacement));
-    if (n_imbalanced_steps > 0)
-      log.line(printed("energy balance: off by %.4g mJ in all, %.1f %% of the "
-                       "external work; warnings in %u steps",
-                       last.energy_imbalance(statistics.rows().front()),
-                       100. * last.energy_imbalance(statistics.rows().front()) /
-                         last.external_work,
-                       n_imbalanced_steps));
+    const std::string balance = imbalance_in_words(
+      statistics.rows(), parameters.output.energy_imbalance_tolerance);
+    if (!balance.empty())
+      log.line("warning: " + balance);
     log.line(printed("steps %u, rejected %u, factorisations %u, solves %u, "
                      "%.1f s",
                      last.step,

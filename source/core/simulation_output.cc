@@ -2,6 +2,8 @@
 #include <core/simulation.h>
 #include <core/version.h>
 
+#include <output/energy_balance.h>
+
 #include <fstream>
 
 namespace MixedCracks
@@ -143,6 +145,7 @@ namespace MixedCracks
     statistics.add(row);
     log_step(row);
     check_energy_balance();
+    check_damage();
     throw_on_all_ranks(log.failure(), communicator);
 
     if (row.force_size() > load_control.peak_force())
@@ -216,7 +219,9 @@ namespace MixedCracks
     field_output.write(
       state,
       step,
-      assembler->cell_data(state.elastic, state.lagged_phase_field).values);
+      assembler
+        ->cell_data(state.elastic, state.lagged_phase_field, state.phase_field)
+        .values);
   }
 
 
@@ -252,6 +257,12 @@ namespace MixedCracks
     summary.dimension         = dim;
     summary.with_crack_volume = parameters.crack_opening.crack_volume;
     summary.warnings          = warnings;
+    for (const std::string &warning :
+         {damage_warning(),
+          imbalance_in_words(statistics.rows(),
+                             parameters.output.energy_imbalance_tolerance)})
+      if (!warning.empty())
+        summary.warnings.push_back(warning);
     return summary;
   }
 

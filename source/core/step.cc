@@ -96,6 +96,18 @@ namespace MixedCracks
 
 
 
+  // A run starts from equilibrium: at a loaded start a lag would not be that of
+  // any step.
+  template <int dim>
+  bool
+  StepSolver<dim>::is_iterated(const State &trial) const
+  {
+    return options.kind == CouplingOptions::Kind::iterated ||
+           trial.time_step == 0.;
+  }
+
+
+
   template <int dim>
   bool
   StepSolver<dim>::is_settled(const StepOutcome &outcome) const
@@ -170,8 +182,8 @@ namespace MixedCracks
     NewtonOptions present = newton_options;
     // While the phase field still moves, exact displacements are not worth
     // their solves.
-    const bool iterated = options.kind == CouplingOptions::Kind::iterated;
-    if (iterated && (so_far.coupling_iterations == 0 || !is_settled(so_far)))
+    if (is_iterated(trial) &&
+        (so_far.coupling_iterations == 0 || !is_settled(so_far)))
     {
       present.relative_tolerance = inexact_reduction;
       present.enough_iterations  = inexact_iterations;
@@ -268,7 +280,7 @@ namespace MixedCracks
                          const StepOutcome     &so_far,
                          State                 &trial)
   {
-    const bool  iterated = options.kind == CouplingOptions::Kind::iterated;
+    const bool  iterated = is_iterated(trial);
     StepOutcome outcome  = so_far;
     acceleration.restart();
     stored_energy.restart();

@@ -396,10 +396,9 @@ namespace MixedCracks
     double work = 0.;
     for (const double time : {before.time, after.time})
     {
-      work += 0.5 * loads.fluid->energy(
-                      time, before.elastic, before.lagged_phase_field);
-      work -= 0.5 * loads.fluid->energy(
-                      time, after.elastic, after.lagged_phase_field);
+      work +=
+        0.5 * loads.fluid->energy(time, before.elastic, before.phase_field);
+      work -= 0.5 * loads.fluid->energy(time, after.elastic, after.phase_field);
     }
     return work;
   }

@@ -39,19 +39,6 @@ namespace MixedCracks
       options.tolerance = residual_tolerance * energy_density;
       return options;
     }
-
-
-
-    bool
-    has_constant_curvature(const CrackDensity &density)
-    {
-      const double curvature = density.local_second_derivative(0.5);
-      for (const double phi : {0., 0.1, 0.37, 0.9, 1.})
-        if (std::abs(density.local_second_derivative(phi) - curvature) >
-            1e-12 * (1. + std::abs(curvature)))
-          return false;
-      return true;
-    }
   } // namespace
 
 
@@ -72,10 +59,9 @@ namespace MixedCracks
     , timer(timer)
     , stop(std::move(stop))
     , solver(options_for(energy_density(material, assembler.constants_vary())))
-    , is_quadratic(has_constant_curvature(material.crack_density()))
-    , concavity(
-        -energy_density(material, assembler.constants_vary()) *
-        std::min(0., material.crack_density().local_second_derivative(0.5)))
+    , is_quadratic(material.crack_density().is_quadratic())
+    , concavity(energy_density(material, assembler.constants_vary()) *
+                material.crack_density().concavity())
   {}
 
 

@@ -35,6 +35,12 @@ namespace MixedCracks
         return 1.;
       }
 
+      Curvature
+      curvature() const override
+      {
+        return {1., 1.};
+      }
+
       double
       gradient_coefficient() const override
       {
@@ -76,6 +82,12 @@ namespace MixedCracks
       local_second_derivative(const double) const override
       {
         return 0.;
+      }
+
+      Curvature
+      curvature() const override
+      {
+        return {0., 0.};
       }
 
       double
@@ -121,6 +133,12 @@ namespace MixedCracks
       local_second_derivative(const double) const override
       {
         return -2. / PI;
+      }
+
+      Curvature
+      curvature() const override
+      {
+        return {-2. / PI, -2. / PI};
       }
 
       double

@@ -182,6 +182,29 @@ namespace MixedCracks
 
 
   template <int dim>
+  double
+  Material<dim>::pressure_after(const double          pressure,
+                                const double          g_before,
+                                const double          g_after,
+                                const PointConstants &at) const
+  {
+    if (g_before == g_after || pressure == 0.)
+      return pressure;
+    const bool                 tension = is_tension(pressure);
+    const PressureCoefficients before =
+      pressure_coefficients(g_before, tension, at);
+    const PressureCoefficients after =
+      pressure_coefficients(g_after, tension, at);
+    const double stiffness_before = before.divergence / before.compliance;
+    const double stiffness_after  = after.divergence / after.compliance;
+    // without a stiffness there was no pressure, but rounding
+    return stiffness_before > 0. ? pressure * stiffness_after / stiffness_before
+                                 : 0.;
+  }
+
+
+
+  template <int dim>
   int
   Material<dim>::branch(const Strain &strain, const double pressure) const
   {

@@ -70,6 +70,105 @@ TEST(CrackDensity, DerivativesMatchDifferenceQuotients)
 
 
 
+TEST(CrackDensity, CurvatureIsThatOfAllPhaseFields)
+{
+  for (const std::string &name : all_crack_densities().names())
+  {
+    SCOPED_TRACE(name);
+    const auto density  = all_crack_densities().make(name);
+    const auto range    = density->curvature();
+    double     smallest = density->local_second_derivative(0.);
+    double     largest  = smallest;
+    for (unsigned int i = 1; i <= 1000; ++i)
+    {
+      const double sample = density->local_second_derivative(i / 1000.);
+      smallest            = std::min(smallest, sample);
+      largest             = std::max(largest, sample);
+    }
+    // extremes between two samples may lie beyond both, but not by much
+    EXPECT_LE(range.smallest, smallest);
+    EXPECT_GE(range.largest, largest);
+    EXPECT_NEAR(range.smallest, smallest, 1e-4 * (1. + std::abs(smallest)));
+    EXPECT_NEAR(range.largest, largest, 1e-4 * (1. + std::abs(largest)));
+  }
+}
+
+
+
+// what phi = 0.5 does not show: a = (1 - phi)^2 (1 + 2 phi) is convex above
+// 0.5 only, its second derivative -6 + 12 phi being 0 there
+TEST(CrackDensity, ConcavityIsTheLargestOfAllPhaseFields)
+{
+  class Cubic : public CrackDensity
+  {
+  public:
+    double
+    local(const double phi) const override
+    {
+      return (1. - phi) * (1. - phi) * (1. + 2. * phi);
+    }
+
+    double
+    local_derivative(const double phi) const override
+    {
+      return -6. * phi * (1. - phi);
+    }
+
+    double
+    local_second_derivative(const double phi) const override
+    {
+      return -6. + 12. * phi;
+    }
+
+    Curvature
+    curvature() const override
+    {
+      return {-6., 6.};
+    }
+
+    double
+    gradient_coefficient() const override
+    {
+      return 1.;
+    }
+
+    double
+    optimal_profile(const double) const override
+    {
+      return 1.;
+    }
+
+    double
+    half_width() const override
+    {
+      return 1.;
+    }
+  };
+  const Cubic density;
+  EXPECT_EQ(density.local_second_derivative(0.5), 0.);
+  EXPECT_EQ(density.concavity(), 6.);
+  EXPECT_FALSE(density.is_quadratic());
+  // with it, the derivative never falls
+  for (unsigned int i = 0; i < 100; ++i)
+  {
+    const double phi = i / 100., next = (i + 1) / 100.;
+    EXPECT_GE(density.local_derivative(next) + density.concavity() * next,
+              density.local_derivative(phi) + density.concavity() * phi);
+  }
+  for (const auto &[name, concavity] :
+       {std::make_pair("AT1", 0.),
+        std::make_pair("AT2", 0.),
+        std::make_pair("Wu", 2. / dealii::numbers::PI)})
+  {
+    SCOPED_TRACE(name);
+    const auto shipped = all_crack_densities().make(name);
+    EXPECT_DOUBLE_EQ(shipped->concavity(), concavity);
+    EXPECT_TRUE(shipped->is_quadratic());
+  }
+}
+
+
+
 TEST(CrackDensity, MatchesTheTableThroughSacado)
 {
   for (const auto &[name, formula] : formulas)

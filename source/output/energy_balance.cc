@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include <core/log.h>
+
+#include <output/energy_balance.h>
+
+#include <cmath>
+
+namespace MixedCracks
+{
+  StepImbalance
+  imbalance(const StatisticsRow &before, const StatisticsRow &after)
+  {
+    const double work = std::abs(after.external_work);
+    return {after.energy_imbalance(before),
+            std::max(work, after.elastic_energy),
+            after.elastic_energy > work};
+  }
+
+
+
+  std::string
+  imbalance_in_words(const std::vector<StatisticsRow> &rows,
+                     const double                      tolerance)
+  {
+    if (tolerance == 0.)
+      return "";
+    std::size_t n_steps = 0, worst = 0;
+    double      largest = 0.;
+    for (std::size_t i = 1; i < rows.size(); ++i)
+    {
+      const StepImbalance step = imbalance(rows[i - 1], rows[i]);
+      if (!step.exceeds(tolerance))
+        continue;
+      ++n_steps;
+      if (worst > 0 && std::abs(step.energy) <= std::abs(largest))
+        continue;
+      worst   = i;
+      largest = step.energy;
+    }
+    if (n_steps == 0)
+      return "";
+    std::string text = "energy balance: ";
+    text += n_steps == 1 ? printed("step %u leaves", rows[worst].step)
+                         : printed("%zu steps leave", n_steps);
+    text += " more over than Output/Energy imbalance tolerance allows";
+    text +=
+      n_steps == 1
+        ? printed(", %.4g mJ", largest)
+        : printed(", most in step %u: %.4g mJ", rows[worst].step, largest);
+    return text +
+           printed("; %.4g mJ in all, of an external work of %.4g mJ",
+                   rows.back().energy_imbalance(rows.front()),
+                   rows.back().external_work - rows.front().external_work);
+  }
+} // namespace MixedCracks
