@@ -32,7 +32,6 @@ namespace
     record.peak_step          = 1;
     record.steps_to_wait      = 2;
     record.n_refinements      = 4;
-    record.n_imbalanced_steps = 5;
     record.totals             = {6, 7, 8, 9.5, {{"output", 0.5}, {"a b", 1.}}};
     record.nuclei             = {{0.25, 0.75}, {1., 1e300}};
     record.rows.resize(2);
