@@ -19,6 +19,7 @@
 #include <output/point_displacements.h>
 #include <output/quantities.h>
 #include <output/run_end.h>
+#include <output/slit_overlap.h>
 #include <output/statistics.h>
 #include <output/summary.h>
 
@@ -95,6 +96,23 @@ namespace MixedCracks
     void
     record(const State &before, const State &state, const StepOutcome &outcome);
 
+    /// Say which slits a mesh from a file has.
+    void log_slits();
+
+    /// Warn where the faces of slits pass through each other.
+    void watch_slits(const State &state);
+
+    /// Those of the start, and what the steps have added.
+    std::vector<std::string> all_warnings() const;
+
+    /// Whether more than the residual stiffness carries the dead loads.
+    bool loads_are_carried(const State &state) const;
+
+    double broken_part_of_energy(const State &state) const;
+
+    /// Why the run has ended, with the load at failure.
+    std::string end_in_words() const;
+
     /// What is measured of open cracks.
     void record_opening(const State &state, StatisticsRow &row);
 
@@ -156,6 +174,7 @@ namespace MixedCracks
     CrackOpening<dim>        crack_opening;
     CrackOpeningFile<dim>    crack_opening_file;
     PointDisplacements<dim>  point_displacements;
+    SlitOverlap<dim>         slit_overlap;
     StatisticsTable          statistics;
     FieldOutput<dim>         field_output;
     double                   external_work = 0.; // mJ
@@ -169,6 +188,9 @@ namespace MixedCracks
     std::string              case_in_words;
     std::string              linear_solver_in_words;
     std::vector<std::string> warnings;
+    unsigned int             n_overlapping_steps = 0;
+    double                   deepest_overlap     = 0.; // mm
+    std::string              overlap_in_words;
   };
 } // namespace MixedCracks
 

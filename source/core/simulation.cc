@@ -46,6 +46,7 @@ namespace MixedCracks
                          crack_opening.lines(),
                          communicator)
     , point_displacements(fields, parameters.point_displacements.points())
+    , slit_overlap(fields)
     , statistics(communicator)
     , field_output(fields,
                    parameters.output.directory,

@@ -143,6 +143,7 @@ namespace MixedCracks
   {
     make_mesh_and_material();
     log_header();
+    log_slits();
     collect_warnings();
   }
 

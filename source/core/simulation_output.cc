@@ -74,6 +74,7 @@ namespace MixedCracks
     statistics.add(row);
     log_step(row);
     check_energy_balance();
+    watch_slits(state);
 
     if (row.force_size() > load_control.peak_force())
     {
@@ -86,6 +87,8 @@ namespace MixedCracks
       run_end = RunEnd::separated;
     if (load_control.has_fallen(row.force_size()))
       run_end = RunEnd::force_fell;
+    if (!loads_are_carried(state))
+      run_end = RunEnd::no_equilibrium;
     write_fields_when_due(state);
     scope.reset(); // a checkpoint has its own
     const unsigned int every = parameters.output.checkpoint_every;
@@ -159,7 +162,7 @@ namespace MixedCracks
       write_fields(last, last_step);
     if (run_end == RunEnd::stopped)
       write_checkpoint(last);
-    const RunOutcome outcome{exit_status(run_end), in_words(run_end)};
+    const RunOutcome outcome{exit_status(run_end), end_in_words()};
     Summary          summary = summarize(outcome);
     summary.cracks           = crack_observer.finish(last.phase_field);
     if (dim == 3 && summary.separated)
@@ -205,7 +208,7 @@ namespace MixedCracks
       summary.phases[name] = Utilities::MPI::max(seconds, communicator);
     summary.dimension         = dim;
     summary.with_crack_volume = parameters.crack_opening.crack_volume;
-    summary.warnings          = warnings;
+    summary.warnings          = all_warnings();
     return summary;
   }
 
