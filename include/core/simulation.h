@@ -21,6 +21,7 @@
 #include <output/point_displacements.h>
 #include <output/quantities.h>
 #include <output/run_end.h>
+#include <output/slit_overlap.h>
 #include <output/statistics.h>
 #include <output/summary.h>
 
@@ -166,6 +167,24 @@ namespace MixedCracks
     /// Along the lines that are given.
     void record_opening(const State &state, const StatisticsRow &row);
 
+    /// Say which slits a mesh from a file has.
+    void log_slits();
+
+    /// Warn where the faces of slits pass through each other.
+    void watch_slits(const State &state);
+
+    /// Those of the start, and what the steps have added.
+    std::vector<std::string> all_warnings() const;
+
+    /// Whether more than the residual stiffness carries the dead loads.
+    bool loads_are_carried(const State &state) const;
+
+    double broken_part_of_energy(const State &state) const;
+
+    /// Why the run has ended, with the load at failure.
+    std::string end_in_words() const;
+
+
     void write_fields(const State &state, unsigned int step);
 
     void write_fields_when_due(const State &state);
@@ -229,6 +248,7 @@ namespace MixedCracks
     CrackOpening<dim>        crack_opening;
     CrackOpeningFile<dim>    crack_opening_file;
     PointDisplacements<dim>  point_displacements;
+    SlitOverlap<dim>         slit_overlap;
     StatisticsTable          statistics;
     FieldOutput<dim>         field_output;
     double                   external_work = 0.; // mJ
@@ -249,6 +269,9 @@ namespace MixedCracks
     std::optional<ExistingRun> waiting_output; // see prepare_output()
     /// the first mesh, when `--check` has not built it
     std::optional<MeshEstimate> not_built;
+    unsigned int                n_overlapping_steps = 0;
+    double                      deepest_overlap     = 0.; // mm
+    std::string                 overlap_in_words;
   };
 } // namespace MixedCracks
 

@@ -63,11 +63,23 @@ namespace MixedCracks
     void predict(const State &accepted, State &trial) const;
 
     /// Solve for trial.elastic with trial.lagged_phase_field; sets
-    /// trial.reaction too. At most @p max_iterations Newton iterations.
+    /// trial.reaction too. Where Newton's method cycles between the branches
+    /// of the split, again by way of cracks that are less broken.
     NewtonOutcome solve(State &trial, const NewtonOptions &options);
 
     /// state.reaction from its other members, as after a change of the mesh.
     void update_reaction(State &state);
+
+    /// Whether there are loads that do not depend on the cracks.
+    bool
+    has_dead_loads() const
+    {
+      return loads.any();
+    }
+
+    /// Of these, at the time of the state, on its displacement; N (mJ per mm
+    /// thickness). 0 without them.
+    double work_of_loads(const State &state) const;
 
     /// Work of the loads between two states by the trapezoidal rule, of the
     /// supports, and of the fluid in the cracks; N (mJ per mm thickness).
@@ -94,6 +106,15 @@ namespace MixedCracks
     std::string linear_solver_in_words() const;
 
   private:
+    /// Newton's method from trial.elastic, once.
+    NewtonOutcome solve_once(State &trial, const NewtonOptions &options);
+
+    /// From @p start, with a lower bound of the lagged phase field that goes
+    /// to 0.
+    NewtonOutcome solve_by_continuation(State                       &trial,
+                                        const LinearAlgebra::Vector &start,
+                                        const NewtonOptions         &options);
+
     /// Make the linear solver for this mesh, if it has to be another one.
     void choose_solver();
 

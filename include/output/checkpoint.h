@@ -37,7 +37,11 @@ namespace MixedCracks
     unsigned int peak_step     = 0;
     unsigned int steps_to_wait = 0; ///< before the load step may grow
     unsigned int n_refinements = 0; ///< of the mesh so far
-    RunTotals    totals;            ///< so far
+    /// where faces of a slit have passed through each other, for the warnings
+    unsigned int n_overlapping_steps = 0;
+    double       deepest_overlap     = 0.; ///< mm
+    std::string  overlap_in_words;
+    RunTotals    totals; ///< so far
 
     /// where damage was seen first, mm
     std::vector<dealii::Point<2>>               nuclei;

@@ -14,6 +14,8 @@ namespace MixedCracks
     separated,  ///< the cracks join two sides of the body
     force_fell, ///< below Load stepping/Stop when force falls below
     end_time,   ///< Load stepping/End time is reached
+    /// only residual stiffness carries the dead loads
+    no_equilibrium,
     onset,      ///< Load stepping/Stop at onset: a crack begins to run
     failed,     ///< no way on, exit status 3
     stopped,    ///< by a signal or the clock, exit status 5

@@ -8,6 +8,7 @@
 #include <deal.II/base/parameter_handler.h>
 #include <deal.II/base/types.h>
 
+#include <functional>
 #include <map>
 #include <memory>
 #include <string>
@@ -69,8 +70,9 @@ namespace MixedCracks
     void add_parameters(dealii::ParameterHandler &prm);
 
     /// Throws InputError for entries that cannot be read or name a boundary
-    /// that is not in @p boundaries.
-    void check(const BoundaryIds &boundaries) const;
+    /// that is not in @p boundaries; @p hint says more about those.
+    void check(const BoundaryIds                  &boundaries,
+               const std::function<std::string()> &hint = {}) const;
 
     /// Entries of "Displacement", 'all' spread over the components; those on
     /// the phase field have component dim.

@@ -52,6 +52,14 @@ namespace MixedCracks
     /// cannot be read.
     virtual void create(dealii::Triangulation<dim> &triangulation) const = 0;
 
+    /// More about the names of the boundary parts, for the message about one
+    /// that is not there: sentences, or nothing.
+    virtual std::string
+    hint_about_boundaries() const
+    {
+      return "";
+    }
+
     /// Places of interest by name, as the tip of a slit: points in 2-d, in 3-d
     /// the lines that they become; mm.
     virtual std::map<std::string, FlatPiece<dim>>

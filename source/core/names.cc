@@ -91,6 +91,7 @@ namespace MixedCracks
     return "unknown '" + word + "'" +
            (nearest.empty() ? std::string(".")
                             : "; did you mean '" + nearest + "'?") +
-           " Allowed: " + join_names(allowed) + ".";
+           (allowed.empty() ? " None is known."
+                            : " Allowed: " + join_names(allowed) + ".");
   }
 } // namespace MixedCracks

@@ -47,7 +47,9 @@ namespace MixedCracks
     model.check(dim);
     material.check();
     const auto boundaries = geometry.chosen().boundary_ids();
-    boundary_conditions.check(boundaries);
+    boundary_conditions.check(boundaries, [this]() {
+      return geometry.chosen().hint_about_boundaries();
+    });
     fluid.check();
     initial_cracks.check();
     load.check();

@@ -58,6 +58,7 @@ namespace MixedCracks
                          crack_opening.lines(),
                          communicator)
     , point_displacements(fields, parameters.point_displacements.points())
+    , slit_overlap(fields)
     , statistics(communicator)
     , field_output(fields,
                    parameters.output.directory,
@@ -88,7 +89,7 @@ namespace MixedCracks
     if (run_end == RunEnd::failed)
       why_failed += hint_at_no_stiffness();
     return finish(accepted,
-                  {exit_status(run_end), in_words(run_end) + why_failed});
+                  {exit_status(run_end), end_in_words() + why_failed});
   }
 
 

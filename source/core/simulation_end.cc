@@ -16,7 +16,10 @@ namespace MixedCracks
              crack_observer.joins_sides(state.phase_field);
     };
     RunEnd end = RunEnd::none;
-    if (load_control.has_fallen(force_now))
+    // no parameter that may change would mend it
+    if (resumed->end == RunEnd::no_equilibrium)
+      end = RunEnd::no_equilibrium;
+    else if (load_control.has_fallen(force_now))
       end = RunEnd::force_fell;
     else if (parameters.load.stop_when_separated && has_joined())
       end = RunEnd::separated;

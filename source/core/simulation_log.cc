@@ -173,6 +173,7 @@ namespace MixedCracks
   {
     make_mesh_and_material(only_check);
     log_header();
+    log_slits();
     collect_warnings();
     if (only_check)
       log_not_checked();

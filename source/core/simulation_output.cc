@@ -146,6 +146,7 @@ namespace MixedCracks
     log_step(row);
     check_energy_balance();
     check_damage();
+    watch_slits(state);
     throw_on_all_ranks(log.failure(), communicator);
 
     if (row.force_size() > load_control.peak_force())
@@ -160,6 +161,8 @@ namespace MixedCracks
       run_end = RunEnd::separated;
     if (load_control.has_fallen(row.force_size()) && run_end == RunEnd::none)
       run_end = RunEnd::force_fell;
+    if (!loads_are_carried(state))
+      run_end = RunEnd::no_equilibrium;
     write_fields_when_due(state);
     scope.reset(); // a checkpoint has its own
     const unsigned int every = parameters.output.checkpoint_every;
@@ -256,7 +259,7 @@ namespace MixedCracks
     summary.phases            = cost.phases;
     summary.dimension         = dim;
     summary.with_crack_volume = parameters.crack_opening.crack_volume;
-    summary.warnings          = warnings;
+    summary.warnings          = all_warnings();
     for (const std::string &warning :
          {damage_warning(),
           imbalance_in_words(statistics.rows(),

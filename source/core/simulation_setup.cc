@@ -7,6 +7,7 @@
 #include <deal.II/numerics/vector_tools.h>
 
 #include <discretization/refinement.h>
+#include <discretization/slit_faces.h>
 
 #include <cmath>
 #include <limits>
@@ -244,6 +245,19 @@ namespace MixedCracks
                       });
       });
     }
+    // those that the geometry knows; of a mesh from a file, where it has
+    // doubled nodes
+    template <int dim>
+    std::vector<FlatPiece<dim>>
+    slits_of(const Parameters<dim>    &parameters,
+             const Triangulation<dim> &triangulation)
+    {
+      std::vector<FlatPiece<dim>> slits = parameters.geometry.chosen().slits();
+      if (slits.empty())
+        for (const SlitFace<dim> &face : slit_faces(triangulation))
+          slits.push_back(face.place);
+      return slits;
+    }
   } // namespace
 
 
@@ -254,9 +268,10 @@ namespace MixedCracks
                       const Fields<dim>      &fields,
                       const Constraints<dim> &constraints)
   {
-    std::vector<FlatPiece<dim>> slits;
-    if (parameters.initial_cracks.broken_slits)
-      slits = parameters.geometry.chosen().slits();
+    const std::vector<FlatPiece<dim>> slits =
+      parameters.initial_cracks.broken_slits
+        ? slits_of(parameters, fields.phase_field.get_triangulation())
+        : std::vector<FlatPiece<dim>>();
     LinearAlgebra::Vector values = fields.owned_vector(fields.phase_field_dofs);
     set_initial_cracks(parameters.initial_cracks, fields, values);
     for_each_node(fields,

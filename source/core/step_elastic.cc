@@ -310,36 +310,6 @@ namespace MixedCracks
 
 
   template <int dim>
-  NewtonOutcome
-  ElasticStep<dim>::solve(State &trial, const NewtonOptions &options)
-  {
-    iterate    = trial.elastic;
-    external   = external_forces(trial.time, trial.lagged_phase_field);
-    is_stopped = false;
-    NewtonProblem problem;
-    problem.is_to_stop    = [&]() { return is_stopped; };
-    problem.residual      = [&]() { return evaluate_residual(trial); };
-    problem.update_matrix = [&](const bool force) {
-      return update_matrix(force);
-    };
-    problem.solve = [&](const double relative_tolerance) {
-      return solve_for_correction(relative_tolerance);
-    };
-    problem.move = [&](const double factor) {
-      iterate.add(factor, correction);
-      trial.elastic = iterate;
-    };
-    const NewtonOutcome outcome = solve_newton(problem, options);
-    constraints.keep_prescribed(full_residual);
-    if (trial.reaction.size() != full_residual.size())
-      trial.reaction = trial.elastic; // ghosts of the present mesh
-    trial.reaction = full_residual;
-    return outcome;
-  }
-
-
-
-  template <int dim>
   void
   ElasticStep<dim>::update_reaction(State &state)
   {
@@ -350,6 +320,17 @@ namespace MixedCracks
                           fields.elastic_dofs.relevant,
                           fields.communicator());
     state.reaction = full_residual;
+  }
+
+
+
+  template <int dim>
+  double
+  ElasticStep<dim>::work_of_loads(const State &state) const
+  {
+    Vector displacement = fields.owned_vector(fields.elastic_dofs);
+    displacement        = state.elastic;
+    return dead_loads(state.time) * displacement;
   }
 
 

@@ -33,6 +33,9 @@ namespace MixedCracks
         return "the force fell below the given fraction of its peak";
       case RunEnd::end_time:
         return "end time reached";
+      case RunEnd::no_equilibrium:
+        return "no equilibrium: the body is apart under its loads, which only "
+               "the residual stiffness carries";
       case RunEnd::onset:
         return "onset: the next step makes a crack run";
       case RunEnd::failed:

@@ -202,16 +202,20 @@ namespace MixedCracks
 
   template <int dim>
   void
-  BoundaryConditions<dim>::check(const BoundaryIds &boundaries) const
+  BoundaryConditions<dim>::check(const BoundaryIds                  &boundaries,
+                                 const std::function<std::string()> &hint) const
   {
     std::vector<std::string> names;
     for (const auto &boundary : boundaries)
       names.push_back(boundary.first);
     const auto require_known = [&](const std::string &name,
                                    const std::string &parameter) {
-      if (boundaries.count(name) == 0)
-        throw InputError(parameter +
-                         ": boundary: " + unknown_name_message(name, names));
+      if (boundaries.count(name) > 0)
+        return;
+      const std::string more = hint ? hint() : "";
+      throw InputError(parameter +
+                       ": boundary: " + unknown_name_message(name, names) +
+                       (more.empty() ? "" : " " + more));
     };
     bool any_displacement = false;
     for (const BoundaryEntry<dim> &entry : displacements())

@@ -279,10 +279,10 @@ TEST(MeshFile3d, FilesOfTheOtherDimension)
 TEST(MeshFile3d, BrokenContents)
 {
   const HexMesh cubes = unit_cubes(2, 1);
-  const auto    with  = [&](const auto &change) {
+  const auto    with  = [&](const auto &change, const std::string &named = "") {
     HexMesh changed = cubes;
     change(changed);
-    return message_about<3>(changed.gmsh2());
+    return message_about<3>(changed.gmsh2(), named);
   };
   expect_in("does not list",
             with([](HexMesh &mesh) { mesh.cells[0].corners[3] = 98; }));
@@ -292,9 +292,12 @@ TEST(MeshFile3d, BrokenContents)
               std::swap(mesh.cells[0].corners[6], mesh.cells[0].corners[7]);
             }));
   // x = 1, between the cells
-  expect_in("line or face inside the domain", with([](HexMesh &mesh) {
-              mesh.faces.push_back({{{1, 4, 10, 7}}, 3, 0, 4});
-            }));
+  expect_in("line or face inside the domain",
+            with(
+              [](HexMesh &mesh) {
+                mesh.faces.push_back({{{1, 4, 10, 7}}, 3, 0, 4});
+              },
+              "3 = between"));
   const auto replaced = [&](const std::string &from, const std::string &to) {
     std::string text = cubes.gmsh2();
     text.replace(text.find(from), from.size(), to);

@@ -2,15 +2,16 @@
 #ifndef mixed_cracks_problem_geometries_mesh_file_h
 #define mixed_cracks_problem_geometries_mesh_file_h
 
+#include <problem/geometries/mesh_builder.h>
 #include <problem/geometry.h>
 
 namespace MixedCracks
 {
   /// A mesh of quadrilaterals, in 3-d of hexahedra, from a file: Gmsh (.msh),
-  /// Abaqus (.inp) or UCD (.inp, .ucd), told apart by content. The ids of
-  /// boundaries (Gmsh: physical curves or surfaces; Abaqus: surfaces named SS1,
-  /// SS2, …; UCD: materials of lines or quadrilaterals) get their names in the
-  /// .prm; material ids are kept.
+  /// Abaqus (.inp) or UCD (.inp, .ucd), told apart by content. Parts of the
+  /// boundary (Gmsh: physical curves or surfaces; Abaqus: surfaces and sets;
+  /// UCD: materials of lines or quadrilaterals) get their names in the .prm;
+  /// material ids are kept.
   template <int dim>
   class MeshFile : public Geometry<dim>
   {
@@ -22,12 +23,15 @@ namespace MixedCracks
     std::map<std::string, dealii::types::boundary_id>
     boundary_ids() const override;
 
+    std::optional<dealii::BoundingBox<dim>> extent() const override;
+
     /// One rank reads the file. Throws FileError when that fails, InputError
     /// when it is no usable mesh or not the one that the entries describe; on
     /// every rank alike.
-    std::optional<dealii::BoundingBox<dim>> extent() const override;
-
     void create(dealii::Triangulation<dim> &triangulation) const override;
+
+    /// What parts of the boundary the file has. Reads it, on this rank alone.
+    std::string hint_about_boundaries() const override;
 
   private:
     /// A boundary that is part of a circle; in 3-d of a sphere, or of a
@@ -48,8 +52,7 @@ namespace MixedCracks
 
     std::vector<Circle> parsed_circles() const;
 
-    void
-    check_boundary_ids(const dealii::Triangulation<dim> &triangulation) const;
+    std::vector<BoundaryName> parsed_names() const;
 
     void set_circle(dealii::Triangulation<dim> &triangulation,
                     const Circle               &circle,

@@ -1,14 +1,17 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include <core/text.h>
 #include <problem/geometries/checks.h>
+#include <problem/geometries/mesh_builder.h>
 #include <problem/geometries/mesh_file.h>
 #include <problem/geometries/mesh_reader.h>
+#include <problem/geometries/mesh_scan.h>
 
 #include <deal.II/base/patterns.h>
 #include <deal.II/grid/manifold_lib.h>
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 #include <set>
 
 namespace MixedCracks
@@ -16,6 +19,19 @@ namespace MixedCracks
   namespace
   {
     const std::string subsection = "Geometry/Mesh file/";
+
+    // Boundaries that a name in the file stands for get ids from here on.
+    constexpr dealii::types::boundary_id first_free_id = 1000000001;
+
+    bool
+    is_number(const std::string &text)
+    {
+      char *behind = nullptr;
+      std::strtod(text.c_str(), &behind);
+      return *behind == '\0';
+    }
+
+
 
     dealii::types::boundary_id
     parsed_id(const std::string &text, const std::string &parameter)
@@ -46,12 +62,16 @@ namespace MixedCracks
       dealii::Patterns::FileName(dealii::Patterns::FileName::input));
     prm.add_parameter("Boundary names",
                       boundary_names,
-                      "Names for the boundary ids of the file, as in '1 = "
-                      "bottom ; 2 = top'. Boundary ids are Gmsh's physical "
-                      "curves, in 3-d surfaces, the numbers of Abaqus surfaces "
-                      "named SS1, SS2, ..., or the materials of UCD lines, in "
-                      "3-d quadrilaterals; the rest of the boundary has the "
-                      "id 0.",
+                      "Names for parts of the boundary, as in '1 = bottom ; 2 "
+                      "= top ; TopEdge = grip': left the id or name in the "
+                      "file. Ids are the numbers of Gmsh's physical curves, in "
+                      "3-d surfaces, of Abaqus surfaces named SS1, SS2, ..., "
+                      "or the materials of UCD lines, in 3-d quadrilaterals; "
+                      "names are those of Gmsh's physical groups and of "
+                      "Abaqus' surfaces, sets of elements of one dimension "
+                      "less, and sets of nodes (all faces whose nodes are in "
+                      "it). The rest of the boundary has the id 0. A face in "
+                      "two parts belongs to the one that has a name here.",
                       Anything());
     prm.add_parameter("Circles",
                       circles,
@@ -78,25 +98,44 @@ namespace MixedCracks
 
 
   template <int dim>
-  std::map<std::string, dealii::types::boundary_id>
-  MeshFile<dim>::boundary_ids() const
+  std::vector<BoundaryName>
+  MeshFile<dim>::parsed_names() const
   {
-    const std::string parameter = subsection + "Boundary names";
-    std::map<std::string, dealii::types::boundary_id> ids;
-    std::set<dealii::types::boundary_id>              used;
+    const std::string         parameter = subsection + "Boundary names";
+    std::vector<BoundaryName> result;
+    std::set<std::string>     keys, names;
     for (const std::string &item : split_list(boundary_names, ';'))
     {
       const std::vector<std::string> parts = split_list(item, '=');
       require(parts.size() == 2,
               parameter + ": " + in_quotes(item) +
                 " is not of the form 'id = name'.");
-      const dealii::types::boundary_id id = parsed_id(parts[0], parameter);
-      require(used.insert(id).second,
+      BoundaryName name{single_spaced(parts[0]), single_spaced(parts[1]), {}};
+      name.id = first_free_id + static_cast<unsigned int>(result.size());
+      if (is_number(name.key))
+      {
+        name.id  = parsed_id(name.key, parameter);
+        name.key = std::to_string(name.id);
+      }
+      require(keys.insert(name.key).second,
               parameter + ": the boundary id " + parts[0] + " has two names.");
-      require(ids.emplace(single_spaced(parts[1]), id).second,
+      require(names.insert(name.name).second,
               parameter + ": the name " + in_quotes(parts[1]) +
                 " stands for two boundary ids.");
+      result.push_back(name);
     }
+    return result;
+  }
+
+
+
+  template <int dim>
+  std::map<std::string, dealii::types::boundary_id>
+  MeshFile<dim>::boundary_ids() const
+  {
+    std::map<std::string, dealii::types::boundary_id> ids;
+    for (const BoundaryName &name : parsed_names())
+      ids[name.name] = name.id;
     return ids;
   }
 
@@ -154,12 +193,18 @@ namespace MixedCracks
     const std::string parameter = subsection + "File name";
     const std::string text =
       read_file_once(file_name, triangulation.get_communicator(), parameter);
-    // the readers are only ever let at a serial mesh, every rank's own
+    // a serial mesh, every rank's own
     dealii::Triangulation<dim> mesh;
-    const std::string          problem = read_mesh(text, mesh);
+    const MeshScan             scan = scan_mesh(text, dim);
+    MeshBuilder<dim>           builder(scan.contents);
+    const std::string          problem =
+      scan.problem.empty() ? builder.build(mesh) : scan.problem;
     require(problem.empty(),
             parameter + ": the file '" + file_name + "' " + problem + ".");
-    check_boundary_ids(mesh);
+    const std::string wrong = builder.set_boundary_ids(parsed_names(), mesh);
+    require(wrong.empty(),
+            subsection + "Boundary names: " + wrong + " ('" + file_name +
+              "').");
 
     mesh.reset_all_manifolds();
     mesh.set_all_manifold_ids(dealii::numbers::flat_manifold_id);
@@ -172,20 +217,27 @@ namespace MixedCracks
 
 
   template <int dim>
-  void
-  MeshFile<dim>::check_boundary_ids(
-    const dealii::Triangulation<dim> &triangulation) const
+  std::string
+  MeshFile<dim>::hint_about_boundaries() const
   {
-    const std::vector<dealii::types::boundary_id> present =
-      triangulation.get_boundary_ids();
-    std::vector<std::string> present_names;
-    for (const dealii::types::boundary_id id : present)
-      present_names.push_back(std::to_string(id));
-    for (const auto &[name, id] : boundary_ids())
-      require(std::find(present.begin(), present.end(), id) != present.end(),
-              subsection + "Boundary names: the boundary id " +
-                std::to_string(id) + " (" + name + ") is not in '" + file_name +
-                "', which has the ids " + join_names(present_names) + ".");
+    const std::string names = subsection + "Boundary names";
+    std::string       text;
+    try
+    {
+      text = read_file_once(file_name, MPI_COMM_SELF, subsection + "File name");
+    }
+    catch (const FileError &)
+    {
+      return "Names are given in " + names + ".";
+    }
+    const MeshScan             scan = scan_mesh(text, dim);
+    MeshBuilder<dim>           builder(scan.contents);
+    dealii::Triangulation<dim> mesh;
+    if (!scan.problem.empty() || !builder.build(mesh).empty())
+      return "Names are given in " + names + ".";
+    return "The boundary of the file '" + file_name + "' has " +
+           builder.known_boundaries() + "; " + names +
+           " gives them names, as in '1 = bottom'.";
   }
 
 

@@ -5,21 +5,57 @@
 
 #include <algorithm>
 #include <cctype>
+#include <cmath>
+#include <cstdlib>
 #include <limits>
-#include <sstream>
 
 namespace MixedCracks
 {
   namespace MeshScanning
   {
+    namespace
+    {
+      // @p next reads one number at a place and moves it
+      template <typename Number, typename Next>
+      std::vector<Number>
+      all_of(const std::string &line, const Next &next)
+      {
+        std::vector<Number> numbers;
+        const char         *place = line.c_str();
+        while (true)
+        {
+          while (std::isspace(static_cast<unsigned char>(*place)))
+            ++place;
+          if (*place == '\0')
+            break;
+          char        *behind = nullptr;
+          const Number number = next(place, &behind);
+          if (behind == place ||
+              !(*behind == '\0' ||
+                std::isspace(static_cast<unsigned char>(*behind))))
+            return {};
+          numbers.push_back(number);
+          place = behind;
+        }
+        // a zero byte would end the text early
+        return place == line.c_str() + line.size() ? numbers
+                                                   : std::vector<Number>();
+      }
+    } // namespace
+
+
+
     std::vector<double>
     numbers_of(const std::string &line)
     {
-      std::istringstream  in(line);
-      std::vector<double> numbers;
-      for (double number; in >> number;)
-        numbers.push_back(number);
-      return in.eof() ? numbers : std::vector<double>();
+      const std::vector<double> numbers =
+        all_of<double>(line, [](const char *from, char **to) {
+          return std::strtod(from, to);
+        });
+      for (const double number : numbers)
+        if (!std::isfinite(number))
+          return {};
+      return numbers;
     }
 
 
@@ -27,16 +63,15 @@ namespace MixedCracks
     std::vector<long int>
     integers_of(const std::string &line)
     {
-      constexpr long int    largest = std::numeric_limits<int>::max();
-      std::istringstream    in(line);
-      std::vector<long int> integers;
-      for (long int integer; in >> integer;)
-      {
+      constexpr long int          largest = std::numeric_limits<int>::max();
+      const std::vector<long int> integers =
+        all_of<long int>(line, [](const char *from, char **to) {
+          return std::strtol(from, to, 10);
+        });
+      for (const long int integer : integers)
         if (integer < 0 || integer > largest)
           return {};
-        integers.push_back(integer);
-      }
-      return in.eof() ? integers : std::vector<long int>();
+      return integers;
     }
 
 
@@ -53,8 +88,8 @@ namespace MixedCracks
     cell_kind(const int dim)
     {
       if (dim == 2)
-        return {2, "quadrilaterals", 4, 3, "quad", '4'};
-      return {3, "hexahedra", 8, 5, "hex", '6'};
+        return {2, "quadrilaterals", 4, 2, 3, "quad", '4'};
+      return {3, "hexahedra", 8, 4, 5, "hex", '6'};
     }
 
 
@@ -65,10 +100,11 @@ namespace MixedCracks
       return "has " + found +
              (kind.dim == 2
                 ? "; only meshes of four-node quadrilaterals are read (in Gmsh: "
-                  "recombine, first order, two-dimensional)"
+                  "recombine, Mesh.SubdivisionAlgorithm = 1, first order, "
+                  "two-dimensional)"
                 : "; only meshes of eight-node hexahedra are read (in Gmsh: "
-                  "transfinite volumes or extruded layers, recombined, first "
-                  "order)");
+                  "transfinite volumes or extruded layers, recombined, or "
+                  "Mesh.SubdivisionAlgorithm = 2; first order)");
     }
 
 
@@ -80,6 +116,26 @@ namespace MixedCracks
              std::to_string(kind.dim) + ": the mesh is one of " +
              (kind.dim == 2 ? "three-dimensional cells"
                             : "quadrilaterals, for 2-d");
+    }
+
+
+
+    std::string
+    unlisted_node(const std::string &line)
+    {
+      return "has cells with nodes that it does not list: " + in_quotes(line);
+    }
+
+
+
+    std::string
+    in_words(const MeshContents::Group &group)
+    {
+      const std::string name = "'" + group.name + "'";
+      if (group.number == MeshContents::Group::none)
+        return name;
+      return std::to_string(group.number) +
+             (group.name.empty() ? "" : " (" + name + ")");
     }
   } // namespace MeshScanning
 
@@ -103,33 +159,56 @@ namespace MixedCracks
         return byte < 32 && !std::isspace(byte);
       });
     }
+
+
+
+    // without a byte order mark; line ends of one carriage return are those
+    // of old editors
+    std::string
+    plain(std::string text)
+    {
+      if (starts_with(text, "\xEF\xBB\xBF"))
+        text.erase(0, 3);
+      std::replace(text.begin(), text.end(), '\r', '\n');
+      return text;
+    }
   } // namespace
 
 
 
   MeshScan
-  scan_mesh(const std::string &text, const int dim)
+  scan_mesh(const std::string &whole_text, const int dim)
   {
     using namespace MeshScanning;
-    const CellKind kind  = cell_kind(dim);
-    Lines          lines = split_list(text, '\n');
+    const CellKind    kind = cell_kind(dim);
+    const std::string text = plain(whole_text);
+    MeshScan          scan;
+    if (starts_with(text, "\xFF\xFE") || starts_with(text, "\xFE\xFF"))
+    {
+      scan.problem = "is UTF-16 text; save it as ASCII or UTF-8";
+      return scan;
+    }
+    Lines lines = split_list(text, '\n');
     if (lines.empty())
-      return {MeshScan::unknown, "is empty"};
-    if (starts_with(lines.front(), "$") && !is_binary(text.substr(0, 40)))
-      return {MeshScan::gmsh, gmsh_problem(lines, kind)};
-    if (is_binary(text))
-      return {MeshScan::unknown, "is binary, not text"};
-    if (starts_with(lines.front(), "*"))
-      return {MeshScan::abaqus, abaqus_problem(lines, kind)};
-
-    lines.erase(
-      std::remove_if(lines.begin(),
-                     lines.end(),
-                     [](const std::string &line) { return line[0] == '#'; }),
-      lines.end());
-    if (!lines.empty() && numbers_of(lines.front()).size() == 5)
-      return {MeshScan::ucd, ucd_problem(lines, kind)};
-    return {MeshScan::unknown,
-            "is neither a Gmsh (.msh), an Abaqus (.inp) nor a UCD file"};
+      scan.problem = "is empty";
+    else if (starts_with(lines.front(), "$") && !is_binary(text.substr(0, 40)))
+      scan.problem = scan_gmsh(lines, kind, scan.contents);
+    else if (is_binary(text))
+      scan.problem = "is binary, not text";
+    else if (starts_with(lines.front(), "*"))
+      scan.problem = scan_abaqus(lines, kind, scan.contents);
+    else
+    {
+      lines.erase(
+        std::remove_if(lines.begin(),
+                       lines.end(),
+                       [](const std::string &line) { return line[0] == '#'; }),
+        lines.end());
+      scan.problem =
+        !lines.empty() && numbers_of(lines.front()).size() == 5
+          ? scan_ucd(lines, kind, scan.contents)
+          : "is neither a Gmsh (.msh), an Abaqus (.inp) nor a UCD file";
+    }
+    return scan;
   }
 } // namespace MixedCracks

@@ -3,7 +3,7 @@
 #include <problem/geometries/mesh_scan_formats.h>
 
 #include <algorithm>
-#include <map>
+#include <cmath>
 
 namespace MixedCracks
 {
@@ -11,74 +11,17 @@ namespace MixedCracks
   {
     namespace
     {
-      // Nodes of those elements that are cells or mark boundaries, by type
-      unsigned int
-      gmsh_n_nodes(const int type)
+      bool
+      has_section(const Lines &lines, const std::string &name)
       {
-        switch (type)
-        {
-          case 1:
-            return 2;
-          case 3:
-            return 4;
-          case 5:
-            return 8;
-          default:
-            return 1;
-        }
-      }
-
-
-
-      // What is wrong with a Gmsh element type; empty for the cells of the
-      // dimension and for what marks boundaries
-      std::string
-      gmsh_type_problem(const int type, const CellKind &kind)
-      {
-        const char *solids[] = {
-          "tetrahedra", "hexahedra", "prisms", "pyramids"};
-        switch (type)
-        {
-          case 1:
-          case 3:
-          case 15:
-            return "";
-          case 2:
-            return unusable_element("triangles", kind);
-          case 4:
-          case 5:
-          case 6:
-          case 7:
-            if (type == kind.gmsh_type)
-              return "";
-            return kind.dim == 2 ? other_dimension(solids[type - 4], kind)
-                                 : unusable_element(solids[type - 4], kind);
-          default:
-            return unusable_element(
-              "elements of Gmsh's type " + std::to_string(type), kind);
-        }
-      }
-
-
-
-      // What is wrong with the numbers of elements by type
-      std::string
-      gmsh_counts_problem(std::map<int, std::size_t> &n_elements,
-                          const CellKind             &kind)
-      {
-        if (n_elements[kind.gmsh_type] > 0)
-          return "";
-        const std::string nothing = "no " + kind.name;
-        return kind.dim == 3 && n_elements[3] > 0
-                 ? other_dimension(nothing, kind)
-                 : unusable_element(nothing, kind);
+        return std::find(lines.begin(), lines.end(), "$" + name) != lines.end();
       }
 
 
 
       // The lines between "$name" and "$Endname", or what is wrong with them
       std::string
-      gmsh_section(const Lines &lines, const std::string &name, Lines &section)
+      read_section(const Lines &lines, const std::string &name, Lines &section)
       {
         const auto begin = std::find(lines.begin(), lines.end(), "$" + name);
         if (begin == lines.end())
@@ -94,111 +37,216 @@ namespace MixedCracks
 
 
 
-      // Version 2: after the number of elements, a line for each: number, type,
-      // number of tags, tags, nodes
+      // A count; then dimension, number and, in quotes, name
       std::string
-      gmsh2_elements_problem(const Lines &section, const CellKind &kind)
+      read_names(const Lines &section, GmshNames &names)
       {
-        if (numbers_of(section.front())[0] != double(section.size() - 1))
-          return "says it has " + section.front() + " elements but lists " +
-                 std::to_string(section.size() - 1);
-        std::map<int, std::size_t> n_elements;
         for (std::size_t i = 1; i < section.size(); ++i)
         {
-          const std::vector<long int> entry = integers_of(section[i]);
-          if (entry.size() < 4)
-            return broken_line("element", section[i]);
-          const int         type    = static_cast<int>(entry[1]);
-          const std::string problem = gmsh_type_problem(type, kind);
-          if (!problem.empty())
-            return problem;
-          if (static_cast<long int>(entry.size()) !=
-              3 + entry[2] + gmsh_n_nodes(type))
-            return broken_line("element", section[i]);
-          ++n_elements[type];
+          const std::string &line  = section[i];
+          const std::size_t  begin = line.find('"');
+          const std::size_t  end   = line.rfind('"');
+          if (begin == std::string::npos || end == begin)
+            return broken_line("name of a physical group", line);
+          const std::vector<long int> ids = integers_of(line.substr(0, begin));
+          if (ids.size() != 2)
+            return broken_line("name of a physical group", line);
+          names[{ids[0], ids[1]}] =
+            single_spaced(line.substr(begin + 1, end - begin - 1));
         }
-        return gmsh_counts_problem(n_elements, kind);
+        return "";
       }
 
 
 
-      // Version 4: a head, then blocks: two of entity's dimension and tag,
-      // type, number of elements; and a line for each element: number, nodes
+      // Numbers of points, curves, surfaces, volumes; then a line for each:
+      // tag, box (4.1: of points one corner), number of physical groups,
+      // these with signs for directions, and more
       std::string
-      gmsh4_elements_problem(const Lines &section, const CellKind &kind)
+      read_entities(const Lines  &section,
+                    const bool    is_4_1,
+                    GmshEntities &entities)
       {
-        std::map<int, std::size_t> n_elements;
-        std::size_t                i = 1;
+        const std::vector<long int> counts = integers_of(section.front());
+        std::size_t                 n_all  = 0;
+        for (const long int count : counts)
+          n_all += static_cast<std::size_t>(count);
+        if (counts.size() != 4 || n_all != section.size() - 1)
+          return broken_line("head of $Entities", section.front());
+        std::size_t i = 0;
+        for (long int dim = 0; dim < 4; ++dim)
+          for (long int n = 0; n < counts[static_cast<std::size_t>(dim)]; ++n)
+          {
+            const std::string        &line   = section[++i];
+            const std::vector<double> entry  = numbers_of(line);
+            const std::size_t         before = is_4_1 && dim == 0 ? 4 : 7;
+            if (entry.size() <= before || !(std::abs(entry[0]) < 1e9) ||
+                !(entry[before] >= 0.) ||
+                entry[before] > double(entry.size() - before - 1))
+              return broken_line("entity", line);
+            std::vector<long int> &groups =
+              entities[{dim, std::lround(entry[0])}];
+            for (std::size_t g = 0; double(g) < entry[before]; ++g)
+              if (std::abs(entry[before + 1 + g]) < 1e9)
+                groups.push_back(std::abs(std::lround(entry[before + 1 + g])));
+              else
+                return broken_line("entity", line);
+          }
+        return "";
+      }
+
+
+
+      std::string
+      add_node(const double               number,
+               const std::vector<double> &numbers,
+               const std::size_t          first,
+               const std::string         &line,
+               MeshContents              &contents)
+      {
+        if (numbers.size() < first + 3 ||
+            !(number >= 0. && number < 2147483648.))
+          return broken_line("node", line);
+        return contents.add_node(
+                 std::lround(number),
+                 {numbers[first], numbers[first + 1], numbers[first + 2]})
+                 ? ""
+                 : "lists a node twice: " + in_quotes(line);
+      }
+
+
+
+      // A count; then number and place, with more numbers if @p parametric
+      std::string
+      read_nodes_2(const Lines  &section,
+                   const bool    parametric,
+                   MeshContents &contents)
+      {
+        for (std::size_t i = 1; i < section.size(); ++i)
+        {
+          const std::vector<double> node = numbers_of(section[i]);
+          if (node.empty() || (!parametric && node.size() != 4))
+            return broken_line("node", section[i]);
+          const std::string problem =
+            add_node(node[0], node, 1, section[i], contents);
+          if (!problem.empty())
+            return problem;
+        }
+        return "";
+      }
+
+
+
+      // A head, then blocks: two of dimension and tag of an entity, whether
+      // there are parametric coordinates, number of nodes. 4.0: a line for
+      // each with number and place; 4.1: first all numbers, then all places.
+      // Parametric coordinates stand behind the place.
+      std::string
+      read_nodes_4(const Lines  &section,
+                   const bool    is_4_1,
+                   MeshContents &contents)
+      {
+        std::size_t i = 1;
         while (i < section.size())
         {
-          const std::vector<long int> block = integers_of(section[i]);
-          if (block.size() != 4 ||
-              block[3] > static_cast<long int>(section.size() - i - 1))
-            return broken_line("block of elements", section[i]);
-          const int         type    = static_cast<int>(block[2]);
-          const std::string problem = gmsh_type_problem(type, kind);
-          if (!problem.empty())
-            return problem;
-          const std::size_t n_in_block = static_cast<std::size_t>(block[3]);
-          for (std::size_t e = 1; e <= n_in_block; ++e)
-            if (integers_of(section[i + e]).size() != 1 + gmsh_n_nodes(type))
-              return broken_line("element", section[i + e]);
-          n_elements[type] += n_in_block;
-          i += n_in_block + 1;
+          const std::vector<long int> block   = integers_of(section[i]);
+          const std::size_t           n       = block.size() == 4
+                                                  ? static_cast<std::size_t>(block[3])
+                                                  : section.size();
+          const std::size_t           n_lines = is_4_1 ? 2 * n : n;
+          if (n_lines > section.size() - i - 1)
+            return broken_line("block of nodes", section[i]);
+          for (std::size_t k = 1; k <= n; ++k)
+          {
+            const std::string        &place   = section[i + n_lines - n + k];
+            const std::vector<double> numbers = numbers_of(place);
+            const std::vector<double> tag     = numbers_of(section[i + k]);
+            if (tag.empty() || (is_4_1 && tag.size() != 1))
+              return broken_line("node", section[i + k]);
+            const std::string problem =
+              add_node(tag[0], numbers, is_4_1 ? 0 : 1, place, contents);
+            if (!problem.empty())
+              return problem;
+          }
+          i += n_lines + 1;
         }
-        return gmsh_counts_problem(n_elements, kind);
+        return "";
       }
 
 
 
-      // Both versions begin with a count; no line holds two nodes
+      // Both versions begin with a count
       std::string
-      gmsh_nodes_problem(const Lines &section, const bool is_version_4)
+      read_nodes(const Lines  &section,
+                 const double  version,
+                 const bool    parametric,
+                 MeshContents &contents)
       {
-        const std::vector<double> head = numbers_of(section.front());
+        const std::vector<double> head         = numbers_of(section.front());
+        const bool                is_version_4 = version >= 4.;
         if (is_version_4 ? head.size() < 2 || head[1] > double(section.size())
                          : head[0] != double(section.size() - 1))
           return "says it has " + section.front() +
-                 " nodes (the line after "
-                 "$Nodes) but lists " +
+                 " nodes (the line after $Nodes) but lists " +
                  std::to_string(section.size() - 1) + " lines of them";
-        for (std::size_t i = 1; i < section.size(); ++i)
-        {
-          const std::size_t n = numbers_of(section[i]).size();
-          if (is_version_4 ? n == 0 : n != 4)
-            return broken_line("node", section[i]);
-        }
-        return "";
+        const std::string problem =
+          is_version_4 ? read_nodes_4(section, version > 4.05, contents)
+                       : read_nodes_2(section, parametric, contents);
+        if (problem.empty() && is_version_4 &&
+            head[1] != double(contents.nodes.size()))
+          return "says it has " + section.front() +
+                 " (blocks, nodes, ...) but lists " +
+                 std::to_string(contents.nodes.size()) + " nodes";
+        return problem;
       }
     } // namespace
 
 
 
     std::string
-    gmsh_problem(const Lines &lines, const CellKind &kind)
+    scan_gmsh(const Lines &lines, const CellKind &kind, MeshContents &contents)
     {
-      Lines       format, nodes, elements;
-      std::string problem = gmsh_section(lines, "MeshFormat", format);
+      Lines       section;
+      std::string problem = read_section(lines, "MeshFormat", section);
       if (!problem.empty())
         return problem;
-      const std::vector<double> head = numbers_of(format.front());
+      const std::vector<double> head = numbers_of(section.front());
       if (head.size() != 3 || head[0] < 2. || head[0] > 4.1 ||
           (head[0] >= 3. && head[0] < 4.))
-        return "has Gmsh's format " + in_quotes(format.front()) +
+        return "has Gmsh's format " + in_quotes(section.front()) +
                "; versions 2, 4.0 and 4.1 are read";
       if (head[1] != 0.)
         return "is a binary Gmsh file; save it as ASCII";
+      const double version = head[0];
 
-      const bool is_version_4 = head[0] >= 4.;
-      problem                 = gmsh_section(lines, "Nodes", nodes);
+      GmshNames    names;
+      GmshEntities entities;
+      if (has_section(lines, "PhysicalNames"))
+      {
+        problem = read_section(lines, "PhysicalNames", section);
+        if (problem.empty())
+          problem = read_names(section, names);
+      }
+      if (problem.empty() && version >= 4. && has_section(lines, "Entities"))
+      {
+        problem = read_section(lines, "Entities", section);
+        if (problem.empty())
+          problem = read_entities(section, version > 4.05, entities);
+      }
+      // what Gmsh writes for Mesh.SaveParametric in version 2
+      const bool parametric =
+        version < 4. && has_section(lines, "ParametricNodes");
       if (problem.empty())
-        problem = gmsh_section(lines, "Elements", elements);
+        problem = read_section(
+          lines, parametric ? "ParametricNodes" : "Nodes", section);
       if (problem.empty())
-        problem = gmsh_nodes_problem(nodes, is_version_4);
-      if (!problem.empty())
-        return problem;
-      return is_version_4 ? gmsh4_elements_problem(elements, kind)
-                          : gmsh2_elements_problem(elements, kind);
+        problem = read_nodes(section, version, parametric, contents);
+      if (problem.empty())
+        problem = read_section(lines, "Elements", section);
+      return problem.empty()
+               ? scan_gmsh_elements(
+                   section, version, entities, names, kind, contents)
+               : problem;
     }
   } // namespace MeshScanning
 } // namespace MixedCracks

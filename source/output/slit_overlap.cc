@@ -1,0 +1,173 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include <deal.II/base/mpi.h>
+
+#include <deal.II/dofs/dof_accessor.h>
+
+#include <output/slit_overlap.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace MixedCracks
+{
+  using namespace dealii;
+
+  namespace
+  {
+    // of the largest jump: what is less may be rounding, or the pressure of
+    // one element on the next beside a tip
+    constexpr double smallest_depth = 0.01;
+    // of the place of a vertex; vertices that are nearer are one
+    constexpr double rounding = 1e-9;
+
+    template <int dim>
+    struct Vertex
+    {
+      Point<dim>     position;
+      Tensor<1, dim> displacement;
+      unsigned int   side;
+      unsigned int   face;
+    };
+
+
+
+    template <int dim>
+    std::vector<Vertex<dim>>
+    unpack(const std::vector<std::vector<double>> &from_ranks)
+    {
+      std::vector<Vertex<dim>> result;
+      for (const std::vector<double> &numbers : from_ranks)
+        for (std::size_t i = 0; i < numbers.size(); i += 2 * dim + 2)
+        {
+          Vertex<dim> vertex;
+          for (unsigned int d = 0; d < dim; ++d)
+          {
+            vertex.position[d]     = numbers[i + d];
+            vertex.displacement[d] = numbers[i + dim + d];
+          }
+          vertex.side = static_cast<unsigned int>(numbers[i + 2 * dim]);
+          vertex.face = static_cast<unsigned int>(numbers[i + 2 * dim + 1]);
+          result.push_back(vertex);
+        }
+      return result;
+    }
+
+
+
+    // Vertices at one place stand beside each other then.
+    template <int dim>
+    void
+    sort_by_place(std::vector<Vertex<dim>> &vertices)
+    {
+      double size = 0.;
+      for (const Vertex<dim> &vertex : vertices)
+        size = std::max(size, vertex.position.norm());
+      const double step = std::max(rounding * size, 1e-300);
+      const auto   key  = [step](const Vertex<dim> &vertex) {
+        std::array<double, dim + 2> result;
+        result[0] = vertex.face;
+        for (unsigned int d = 0; d < dim; ++d)
+          result[1 + d] = std::round(vertex.position[d] / step / 64.);
+        result[dim + 1] = vertex.side;
+        return result;
+      };
+      std::sort(
+        vertices.begin(), vertices.end(), [&key](const auto &a, const auto &b) {
+          return key(a) < key(b);
+        });
+    }
+  } // namespace
+
+
+
+  template <int dim>
+  SlitOverlap<dim>::SlitOverlap(const Fields<dim> &fields)
+    : fields(fields)
+  {}
+
+
+
+  template <int dim>
+  void
+  SlitOverlap<dim>::reinit()
+  {
+    faces = slit_faces(fields.elastic.get_triangulation());
+    side_at.clear();
+    for (unsigned int i = 0; i < faces.size(); ++i)
+      for (unsigned int side = 0; side < 2; ++side)
+        side_at[{faces[i].sides[side].cell, faces[i].sides[side].face}] = {
+          i, side};
+  }
+
+
+
+  template <int dim>
+  std::vector<double>
+  SlitOverlap<dim>::displacements_at_slits(
+    const LinearAlgebra::Vector &elastic) const
+  {
+    std::vector<double> result;
+    for (const auto &cell : fields.elastic.active_cell_iterators())
+    {
+      if (!cell->is_locally_owned() || !cell->at_boundary())
+        continue;
+      for (const unsigned int f : cell->face_indices())
+      {
+        // children have the numbering of faces of their parents
+        const auto known = side_at.find({cell->id().get_coarse_cell_id(), f});
+        if (!cell->face(f)->at_boundary() || known == side_at.end())
+          continue;
+        for (const unsigned int v : cell->face(f)->vertex_indices())
+        {
+          const unsigned int vertex =
+            GeometryInfo<dim>::face_to_cell_vertices(f, v);
+          for (unsigned int d = 0; d < dim; ++d)
+            result.push_back(cell->vertex(vertex)[d]);
+          for (unsigned int d = 0; d < dim; ++d)
+            result.push_back(elastic(cell->vertex_dof_index(vertex, d)));
+          result.push_back(known->second.second);
+          result.push_back(known->second.first);
+        }
+      }
+    }
+    return result;
+  }
+
+
+
+  template <int dim>
+  typename SlitOverlap<dim>::Place
+  SlitOverlap<dim>::deepest(const LinearAlgebra::Vector &elastic) const
+  {
+    Place result;
+    if (faces.empty())
+      return result;
+    const MPI_Comm communicator = fields.communicator();
+    auto           vertices     = unpack<dim>(Utilities::MPI::all_gather(
+      communicator, displacements_at_slits(elastic)));
+    sort_by_place(vertices);
+    double largest_jump = 0.;
+    for (std::size_t i = 1; i < vertices.size(); ++i)
+    {
+      const Vertex<dim> &first = vertices[i - 1], &second = vertices[i];
+      const double       size =
+        second.position.norm() + first.displacement.norm() + 1e-300;
+      if (first.face != second.face || first.side == second.side ||
+          first.position.distance(second.position) > 1e3 * rounding * size)
+        continue;
+      const Tensor<1, dim> jump  = second.displacement - first.displacement;
+      const double         depth = -(jump * faces[first.face].normal);
+      largest_jump               = std::max(largest_jump, jump.norm());
+      if (depth > result.depth)
+        result = {depth, first.position};
+    }
+    if (!(result.depth > smallest_depth * largest_jump))
+      result = Place();
+    return result;
+  }
+
+
+
+  template class SlitOverlap<2>;
+  template class SlitOverlap<3>;
+} // namespace MixedCracks

@@ -1,0 +1,191 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include <core/text.h>
+#include <problem/geometries/mesh_scan_abaqus.h>
+
+namespace MixedCracks
+{
+  namespace MeshScanning
+  {
+    namespace
+    {
+      // SS1, SS2, ... are known by their numbers, too
+      long int
+      surface_number(const std::string &name)
+      {
+        if (name.size() < 3 || name.size() > 11 ||
+            upper_case(name.substr(0, 2)) != "SS" ||
+            name.find_first_not_of("0123456789", 2) != std::string::npos)
+          return MeshContents::Group::none;
+        return std::stol(name.substr(2));
+      }
+
+
+
+      // "Part-1-1.Set-1" is Set-1 of that instance
+      std::string
+      label_of_set(const std::string &text)
+      {
+        return upper_case(text.substr(text.find_last_of('.') + 1));
+      }
+
+
+
+      std::string
+      unlisted_element(const std::string &where, const long int element)
+      {
+        return "has a surface or set with element " + std::to_string(element) +
+               ", which it does not list (" + where + ")";
+      }
+    } // namespace
+
+
+
+    void
+    AbaqusReader::add_materials()
+    {
+      for (const auto &[set, material] : sections)
+        if (const auto members = element_sets.find(upper_case(set));
+            members != element_sets.end())
+          for (const long int number : members->second.members)
+            if (const auto element = elements.find(number);
+                element != elements.end() && element->second.cell >= 0)
+              contents.cells[static_cast<std::size_t>(element->second.cell)]
+                .material = material;
+    }
+
+
+
+    // Elements of a lower dimension are skipped, but their sets name boundaries
+    std::string
+    AbaqusReader::add_element_groups()
+    {
+      for (const auto &labelled : element_sets)
+        for (const long int number : labelled.second.members)
+        {
+          const auto element = elements.find(number);
+          if (element == elements.end())
+            return unlisted_element(in_quotes(labelled.second.name), number);
+          if (!element->second.face.empty())
+            contents.faces.push_back({element->second.face,
+                                      contents.group(MeshContents::Group::none,
+                                                     labelled.second.name)});
+        }
+      return "";
+    }
+
+
+
+    std::string
+    AbaqusReader::add_node_groups()
+    {
+      for (const auto &labelled : node_sets)
+      {
+        const std::vector<long int> &members = labelled.second.members;
+        if (members.empty())
+          continue;
+        const auto nodes = contents.indices_of(members.begin(), members.end());
+        if (nodes.size() != members.size())
+          return "has a node set " + in_quotes(labelled.second.name) +
+                 " with nodes that it does not list";
+        contents.node_sets.push_back(
+          {nodes,
+           contents.group(MeshContents::Group::none, labelled.second.name)});
+      }
+      return "";
+    }
+
+
+
+    std::string
+    AbaqusReader::add_side(const AbaqusSurfaceLine &surface,
+                           const long int           number,
+                           const unsigned int       group)
+    {
+      const auto element = elements.find(number);
+      if (element == elements.end())
+        return unlisted_element(in_quotes(surface.name), number);
+      if (element->second.cell < 0)
+        return "has a surface " + in_quotes(surface.name) + " with element " +
+               std::to_string(number) + ", which is none of the " + kind.name;
+      // Abaqus' sides of a hexahedron, by the places of its nodes
+      static constexpr unsigned int sides[6][4] = {{0, 1, 2, 3},
+                                                   {4, 5, 6, 7},
+                                                   {0, 1, 5, 4},
+                                                   {1, 2, 6, 5},
+                                                   {2, 3, 7, 6},
+                                                   {3, 0, 4, 7}};
+      const auto                   &nodes =
+        contents.cells[static_cast<std::size_t>(element->second.cell)].nodes;
+      const unsigned int side = static_cast<unsigned int>(surface.side);
+      MeshContents::Face face{{}, group};
+      if (kind.dim == 2)
+        face.nodes = {nodes[side], nodes[(side + 1) % 4]};
+      else
+        for (const unsigned int place : sides[side])
+          face.nodes.push_back(nodes[place]);
+      contents.faces.push_back(face);
+      return "";
+    }
+
+
+
+    std::string
+    AbaqusReader::add_surface(const AbaqusSurfaceLine &surface)
+    {
+      const bool            of_nodes = surface.side < 0;
+      const auto           &sets     = of_nodes ? node_sets : element_sets;
+      std::vector<long int> members  = integers_of(surface.what);
+      if (members.empty())
+      {
+        const auto set = sets.find(label_of_set(surface.what));
+        if (set == sets.end())
+          return "has a surface " + in_quotes(surface.name) +
+                 " of a set that it does not list: " + in_quotes(surface.line);
+        members = set->second.members;
+      }
+      const unsigned int group =
+        contents.group(surface_number(surface.name), surface.name);
+      if (of_nodes)
+      {
+        contents.node_sets.push_back(
+          {contents.indices_of(members.begin(), members.end()), group});
+        return "";
+      }
+      for (const long int number : members)
+      {
+        const std::string problem = add_side(surface, number, group);
+        if (!problem.empty())
+          return problem;
+      }
+      return "";
+    }
+
+
+
+    std::string
+    AbaqusReader::finish()
+    {
+      if (contents.nodes.empty() || elements.empty())
+        return "is an Abaqus file without " +
+               std::string(contents.nodes.empty() ? "*NODE" : "*ELEMENT") +
+               " lines";
+      if (contents.cells.empty())
+      {
+        bool has_faces = false;
+        for (const auto &element : elements)
+          has_faces = has_faces || !element.second.face.empty();
+        const std::string nothing = "no " + kind.name;
+        return kind.dim == 3 && has_faces ? other_dimension(nothing, kind)
+                                          : unusable_element(nothing, kind);
+      }
+      add_materials();
+      std::string problem = add_element_groups();
+      if (problem.empty())
+        problem = add_node_groups();
+      for (const AbaqusSurfaceLine &surface : surfaces)
+        if (problem.empty())
+          problem = add_surface(surface);
+      return problem;
+    }
+  } // namespace MeshScanning
+} // namespace MixedCracks

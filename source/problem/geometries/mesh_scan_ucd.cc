@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include <core/text.h>
+#include <problem/geometries/mesh_scan_formats.h>
+
+#include <sstream>
+
+namespace MixedCracks
+{
+  namespace MeshScanning
+  {
+    namespace
+    {
+      std::string
+      add_node(const std::string &line, MeshContents &contents)
+      {
+        const std::vector<double> node = numbers_of(line);
+        if (node.size() != 4 || !(node[0] >= 0. && node[0] < 1e9))
+          return broken_line("node", line);
+        return contents.add_node(static_cast<long int>(node[0]),
+                                 {node[1], node[2], node[3]})
+                 ? ""
+                 : "lists a node twice: " + in_quotes(line);
+      }
+
+
+
+      // counts the cells of other kinds by type
+      std::string
+      add_cell(const std::string          &line,
+               const CellKind             &kind,
+               MeshContents               &contents,
+               std::map<std::string, int> &n_cells)
+      {
+        const std::map<std::string, unsigned int> n_nodes = {
+          {"line", 2}, {"quad", 4}, {"hex", 8}};
+        std::istringstream in(line);
+        long int           number, material;
+        std::string        type, rest;
+        if (!(in >> number >> material >> type) || material < 0 ||
+            material > 2147483647)
+          return broken_line("cell", line);
+        if (type == "hex" && kind.dim == 2)
+          return other_dimension("hexahedra", kind);
+        if (n_nodes.count(type) == 0)
+          return unusable_element("cells of the type " + in_quotes(type), kind);
+        std::getline(in, rest);
+        const std::vector<long int> numbers = integers_of(rest);
+        if (numbers.size() != n_nodes.at(type))
+          return broken_line("cell", line);
+        const auto nodes = contents.indices_of(numbers.begin(), numbers.end());
+        if (nodes.size() != numbers.size())
+          return unlisted_node(line);
+        ++n_cells[type];
+        if (type == kind.ucd_type)
+          contents.cells.push_back({number, nodes, material});
+        else if (nodes.size() == kind.n_face_nodes && material > 0)
+          contents.faces.push_back({nodes, contents.group(material, "")});
+        return "";
+      }
+    } // namespace
+
+
+
+    std::string
+    scan_ucd(const Lines &lines, const CellKind &kind, MeshContents &contents)
+    {
+      const std::vector<double> head = numbers_of(lines.front());
+      if (!(head[0] > 0. && head[1] > 0.) ||
+          head[0] + head[1] > double(lines.size() - 1))
+        return "says it has " + in_quotes(lines.front()) +
+               " (nodes, cells, ...) but lists " +
+               std::to_string(lines.size() - 1) + " lines";
+      const std::size_t          n_nodes = static_cast<std::size_t>(head[0]);
+      const std::size_t          n_cells = static_cast<std::size_t>(head[1]);
+      std::map<std::string, int> n_by_type;
+      for (std::size_t i = 1; i <= n_nodes + n_cells; ++i)
+      {
+        const std::string problem =
+          i <= n_nodes ? add_node(lines[i], contents)
+                       : add_cell(lines[i], kind, contents, n_by_type);
+        if (!problem.empty())
+          return problem;
+      }
+      if (!contents.cells.empty())
+        return "";
+      const std::string nothing = "no " + kind.name;
+      return n_by_type["quad"] > 0 ? other_dimension(nothing, kind)
+                                   : unusable_element(nothing, kind);
+    }
+  } // namespace MeshScanning
+} // namespace MixedCracks
