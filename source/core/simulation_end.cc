@@ -19,10 +19,10 @@ namespace MixedCracks
     // no parameter that may change would mend it
     if (resumed->end == RunEnd::no_equilibrium)
       end = RunEnd::no_equilibrium;
-    else if (load_control.has_fallen(force_now))
-      end = RunEnd::force_fell;
     else if (parameters.load.stop_when_separated && has_joined())
       end = RunEnd::separated;
+    else if (load_control.has_fallen(force_now))
+      end = RunEnd::force_fell;
     else if (load_control.at_end())
       end = RunEnd::end_time;
     // the same step would come to the same

@@ -12,21 +12,24 @@ namespace MixedCracks
     TimerOutput::Scope scope(timer, "output");
     const double       begin = stop_poll.now();
     RunRecord          record;
-    record.signature     = signature.problem;
-    record.attempt       = signature.attempt;
-    record.end           = run_end;
-    record.cell_size     = cell_size;
-    record.time          = state.time;
-    record.time_step     = state.time_step;
-    record.next_step     = load_control.natural_step();
-    record.peak_force    = load_control.peak_force();
-    record.external_work = external_work;
-    record.peak_step     = peak_step;
-    record.steps_to_wait = load_control.steps_to_wait();
-    record.n_refinements = n_refinements;
-    record.totals        = cost;
-    record.nuclei        = crack_observer.origins().nuclei();
-    record.rows          = statistics.rows();
+    record.signature           = signature.problem;
+    record.attempt             = signature.attempt;
+    record.end                 = run_end;
+    record.cell_size           = cell_size;
+    record.time                = state.time;
+    record.time_step           = state.time_step;
+    record.next_step           = load_control.natural_step();
+    record.peak_force          = load_control.peak_force();
+    record.external_work       = external_work;
+    record.peak_step           = peak_step;
+    record.steps_to_wait       = load_control.steps_to_wait();
+    record.n_refinements       = n_refinements;
+    record.n_overlapping_steps = n_overlapping_steps;
+    record.deepest_overlap     = deepest_overlap;
+    record.overlap_in_words    = overlap_in_words;
+    record.totals              = cost;
+    record.nuclei              = crack_observer.origins().nuclei();
+    record.rows                = statistics.rows();
     // the state of the peak is not kept: what shall be seen of it is written
     if (!field_output.has(peak_step))
       write_fields(peak_state, peak_step);
@@ -57,8 +60,11 @@ namespace MixedCracks
     peak_state.reaction.clear();
     prepare_output();
     statistics.restore(resumed->rows);
-    n_refinements = resumed->n_refinements;
-    earlier       = resumed->totals;
+    n_refinements       = resumed->n_refinements;
+    n_overlapping_steps = resumed->n_overlapping_steps;
+    deepest_overlap     = resumed->deepest_overlap;
+    overlap_in_words    = resumed->overlap_in_words;
+    earlier             = resumed->totals;
     crack_observer.resume(material->description().length_scale,
                           resumed->tables["crack_path.csv"],
                           resumed->nuclei,
