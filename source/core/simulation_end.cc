@@ -105,11 +105,16 @@ namespace MixedCracks
     const RunTotals cost = had_ended ? earlier : totals();
     // an error may have come between a new mesh and all that belongs to it
     const bool is_usable = last.reaction.size() == fields.elastic.n_dofs();
+    const bool to_be_kept = is_usable && !had_ended;
+    // who asked a run to stop may not wait for long
+    const bool in_a_hurry = run_end == RunEnd::stopped;
+    if (to_be_kept && in_a_hurry)
+      write_checkpoint(last, cost);
     if (is_usable && !field_output.has(peak_step))
       write_fields(peak_state, peak_step);
     if (is_usable && !field_output.has(last_step))
       write_fields(last, last_step);
-    if (is_usable && !had_ended)
+    if (to_be_kept && !in_a_hurry)
       write_checkpoint(last, cost);
     Summary summary = summarize(outcome, cost);
     summary.cracks  = crack_observer.finish(last.phase_field);

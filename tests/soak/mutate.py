@@ -46,7 +46,7 @@ from run_bad_inputs import INSIDE  # noqa: E402
 from run_two_steps import SHORT, first_step  # noqa: E402
 
 TIME_LIMIT = 20  # s
-STATUSES = {0, 2, 3, 4, 5}
+STATUSES = {0, 2, 3, 4, 5, 6}
 # name: what makes it coarse besides SHORT
 CASES = {
     "parameters/epdm/punctured_strip.prm": [

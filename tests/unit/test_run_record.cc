@@ -20,20 +20,20 @@ namespace
   example()
   {
     RunRecord record;
-    record.signature          = "a/b = \"1\"\nc/d = 2\n";
-    record.attempt            = "e = \\ 3\n";
-    record.end                = RunEnd::onset;
-    record.cell_size          = 0.1;
-    record.time               = 1. / 3.;
-    record.time_step          = 1e-5;
-    record.next_step          = 2.5e-5;
-    record.peak_force         = 1234.5678901234567;
-    record.external_work      = -17.;
-    record.peak_step          = 1;
-    record.steps_to_wait      = 2;
-    record.n_refinements      = 4;
-    record.totals             = {6, 7, 8, 9.5, {{"output", 0.5}, {"a b", 1.}}};
-    record.nuclei             = {{0.25, 0.75}, {1., 1e300}};
+    record.signature     = "a/b = \"1\"\nc/d = 2\n";
+    record.attempt       = "e = \\ 3\n";
+    record.end           = RunEnd::onset;
+    record.cell_size     = 0.1;
+    record.time          = 1. / 3.;
+    record.time_step     = 1e-5;
+    record.next_step     = 2.5e-5;
+    record.peak_force    = 1234.5678901234567;
+    record.external_work = -17.;
+    record.peak_step     = 1;
+    record.steps_to_wait = 2;
+    record.n_refinements = 4;
+    record.totals        = {6, 7, 8, 9.5, {{"output", 0.5}, {"a b", 1.}}};
+    record.nuclei        = {{0.25, 0.75}, {1., 1e300}};
     record.rows.resize(2);
     StatisticsRow &row      = record.rows[1];
     row.step                = 1;
