@@ -104,7 +104,7 @@ namespace MixedCracks
     // where nothing was left to do, it has cost nothing more
     const RunTotals cost = had_ended ? earlier : totals();
     // an error may have come between a new mesh and all that belongs to it
-    const bool is_usable = last.reaction.size() == fields.elastic.n_dofs();
+    const bool is_usable  = last.reaction.size() == fields.elastic.n_dofs();
     const bool to_be_kept = is_usable && !had_ended;
     // who asked a run to stop may not wait for long
     const bool in_a_hurry = run_end == RunEnd::stopped;
