@@ -152,7 +152,7 @@ namespace MixedCracks
               "its times, steps or forces are none");
       require(record.peak_step < record.rows.size(),
               "its peak is at a step that is missing");
-      require(record.end >= RunEnd::none && record.end <= RunEnd::stopped,
+      require(record.end >= RunEnd::none && record.end <= RunEnd::out_of_time,
               "it ends for a reason that is none");
     }
   } // namespace

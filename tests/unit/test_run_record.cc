@@ -20,20 +20,23 @@ namespace
   example()
   {
     RunRecord record;
-    record.signature     = "a/b = \"1\"\nc/d = 2\n";
-    record.attempt       = "e = \\ 3\n";
-    record.end           = RunEnd::onset;
-    record.cell_size     = 0.1;
-    record.time          = 1. / 3.;
-    record.time_step     = 1e-5;
-    record.next_step     = 2.5e-5;
-    record.peak_force    = 1234.5678901234567;
-    record.external_work = -17.;
-    record.peak_step     = 1;
-    record.steps_to_wait = 2;
-    record.n_refinements = 4;
-    record.totals        = {6, 7, 8, 9.5, {{"output", 0.5}, {"a b", 1.}}};
-    record.nuclei        = {{0.25, 0.75}, {1., 1e300}};
+    record.signature           = "a/b = \"1\"\nc/d = 2\n";
+    record.attempt             = "e = \\ 3\n";
+    record.end                 = RunEnd::onset;
+    record.cell_size           = 0.1;
+    record.time                = 1. / 3.;
+    record.time_step           = 1e-5;
+    record.next_step           = 2.5e-5;
+    record.peak_force          = 1234.5678901234567;
+    record.external_work       = -17.;
+    record.peak_step           = 1;
+    record.steps_to_wait       = 2;
+    record.n_refinements       = 4;
+    record.n_overlapping_steps = 35;
+    record.deepest_overlap     = 36.;
+    record.overlap_in_words    = "at (1, 2), \"deep\"";
+    record.totals              = {6, 7, 8, 9.5, {{"output", 0.5}, {"a b", 1.}}};
+    record.nuclei              = {{0.25, 0.75}, {1., 1e300}};
     record.rows.resize(2);
     StatisticsRow &row      = record.rows[1];
     row.step                = 1;
@@ -60,6 +63,8 @@ namespace
     row.crack_surface       = 32.;
     row.point_displacements = {33., 34.};
     record.field_files      = {{0., "fields/a b.pvtu"}, {1., "c"}};
+    record.tables           = {{"crack_opening.csv", ""},
+                               {"crack_path.csv", "0,1,\"x, y\"\n2,3,z\n"}};
     return record;
   }
 
@@ -91,6 +96,10 @@ TEST(RunRecord, ComesBackAsItWasWritten)
   EXPECT_EQ(record.nuclei[1][1], 1e300);
   EXPECT_EQ(record.field_files[0].second, "fields/a b.pvtu");
   EXPECT_EQ(record.rows[1].point_displacements[1], 34.);
+  EXPECT_EQ(record.n_overlapping_steps, 35u);
+  EXPECT_EQ(record.deepest_overlap, 36.);
+  EXPECT_EQ(record.overlap_in_words, example().overlap_in_words);
+  EXPECT_EQ(record.tables, example().tables);
   EXPECT_EQ(text_of(record), text_of(example()));
 }
 
@@ -100,7 +109,7 @@ TEST(RunRecord, EveryColumnIsWrittenAndRead)
 {
   std::string text = text_of(example());
   std::replace(text.begin(), text.end(), '\n', ' ');
-  for (int number = 10; number <= 34; ++number)
+  for (int number = 10; number <= 36; ++number)
     EXPECT_NE(text.find(' ' + std::to_string(number) + ' '), std::string::npos)
       << "the column that is " << number << " in the example";
 }
@@ -112,6 +121,20 @@ TEST(RunRecord, WhatWasNotComputedStaysSo)
   const RunRecord record = record_of(text_of(example()));
   EXPECT_TRUE(std::isnan(record.rows[0].crack_volume));
   EXPECT_EQ(record.rows[1].crack_volume, 31.);
+}
+
+
+
+TEST(RunRecord, EveryEndOfARunComesBack)
+{
+  RunRecord record = example();
+  int       n      = 0;
+  for (; n == 0 || !in_words(static_cast<RunEnd>(n)).empty(); ++n)
+  {
+    record.end = static_cast<RunEnd>(n);
+    EXPECT_EQ(record_of(text_of(record)).end, record.end) << n;
+  }
+  EXPECT_EQ(n - 1, static_cast<int>(RunEnd::out_of_time));
 }
 
 
