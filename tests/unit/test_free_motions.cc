@@ -122,7 +122,7 @@ TEST(FreeMotions, OfAPartThatNothingHolds)
   GridGenerator::subdivided_hyper_rectangle(
     right, {2, 2}, Point<2>(3., 0.), Point<2>(5., 2.), false);
   Triangulation<2> both;
-  GridGenerator::merge_triangulations(left, right, both, 1e-9, false, true);
+  GridGenerator::merge_triangulations(left, right, both);
   Mesh<2> mesh(MPI_COMM_WORLD);
   mesh.copy_triangulation(both);
   EXPECT_EQ(free_rigid_motions<2>(mesh,
