@@ -161,7 +161,10 @@ namespace MixedCracks
     LinearAlgebra::Vector         correction;
     LinearAlgebra::Vector         external;
     ElasticAssessment             assessment;
-    Counts                        count;
+    /// whether any place that the present correction led to has another branch
+    /// of the split than the matrix
+    bool   crosses_branches = false;
+    Counts count;
   };
 } // namespace MixedCracks
 

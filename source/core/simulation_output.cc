@@ -145,7 +145,6 @@ namespace MixedCracks
     statistics.add(row);
     log_step(row);
     check_energy_balance();
-    check_damage();
     watch_slits(state);
     throw_on_all_ranks(log.failure(), communicator);
 
@@ -163,6 +162,7 @@ namespace MixedCracks
       run_end = RunEnd::force_fell;
     if (!loads_are_carried(state))
       run_end = RunEnd::no_equilibrium;
+    check_damage();
     write_fields_when_due(state);
     scope.reset(); // a checkpoint has its own
     const unsigned int every = parameters.output.checkpoint_every;

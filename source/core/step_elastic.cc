@@ -247,6 +247,7 @@ namespace MixedCracks
     full_residual.add(-1., external);
     residual = full_residual;
     constraints.drop_prescribed(residual);
+    crosses_branches |= assessment.branch_changes > 0.;
 
     // sizes of the two fields apart: their units differ
     std::vector<double> squares(2, 0.);
@@ -296,6 +297,7 @@ namespace MixedCracks
   {
     TimerOutput::Scope scope(timer, "solve");
     ++count.solves;
+    crosses_branches = false;
     residual *= -1.;
     const unsigned int  before = solver->n_setups();
     const LinearOutcome outcome =

@@ -4,6 +4,7 @@
 #include <core/step_elastic.h>
 
 #include <algorithm>
+#include <cmath>
 
 namespace MixedCracks
 {
@@ -100,9 +101,12 @@ namespace MixedCracks
     const Vector start = trial.elastic;
     is_stopped         = false;
     NewtonOutcome outcome = solve_once(trial, options);
-    const bool    is_cycling =
-      !outcome.converged && !is_stopped && assessment.branch_changes > 0.;
-    if (is_cycling)
+    // after a line search that was cut short the branches are those of the
+    // matrix again, though full steps go from one to the other
+    const bool is_cycling =
+      !outcome.converged && !is_stopped && crosses_branches;
+    // what has no size any more has no branches
+    if (is_cycling && std::isfinite(outcome.last.largest()))
     {
       const NewtonOutcome first = outcome;
       outcome                   = solve_by_continuation(trial, start, options);

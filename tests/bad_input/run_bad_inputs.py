@@ -4,7 +4,7 @@
 
     run_bad_inputs.py EXECUTABLE MPIRUN RANKS [part of a case's name]
 
-Whatever is wrong, the program has to leave within 20 seconds with the right
+Whatever is wrong, the program has to leave within a minute with the right
 exit status, say so once (on one rank) on the error stream in words that name
 what was found and what is allowed, without traces of the inside, and leave no
 files. The cases are in bad_inputs.py and bad_inputs_3d.py. Prints every
@@ -24,7 +24,7 @@ from bad_inputs_3d import CASES as CASES_3D
 
 CASES = CASES_2D + CASES_3D
 
-TIME_LIMIT = 20  # s
+TIME_LIMIT = 60  # s; a run takes one, more where the machine has much to do
 MESSAGE = "mixed-cracks: error: "
 # what a user must never see
 INSIDE = re.compile(r"terminate called|MPI_ABORT|MPI_Abort|Stacktrace|#\d+ +/"

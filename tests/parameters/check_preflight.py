@@ -118,6 +118,10 @@ class Preflight(unittest.TestCase):
             n, 2 * nodes + 2 * vertices, 2 * nodes + vertices, vertices), text)
         self.assertIn("h = %.4g mm" % (0.05 / 2 ** 7), text)
         self.assertIn("not checked: the mesh itself", text)
+        # that of the whole mesh: more than one value for each of the 4 vertices,
+        # 9 nodes and 4 pressures of a cell
+        size = float(re.search(r"checkpoint: about (\S+) MB", text).group(1))
+        self.assertGreater(size, 1e-6 * 8 * (4 + 2 * 9 + 4) * n)
         # most of it is the start of the program
         self.assertLess(after.ru_utime - before.ru_utime, 4.)
         text = self.run_case(SQUARE + HELD, "--check", "--set",
