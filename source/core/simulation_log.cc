@@ -115,7 +115,7 @@ namespace MixedCracks
                      "on the disk, as the one before is kept",
                      1e-6 * static_cast<double>(checkpoint_size(
                               fields,
-                              triangulation.n_global_active_cells(),
+                              static_cast<std::uint64_t>(mesh.n_cells),
                               triangulation.n_cells(0)))));
   }
 

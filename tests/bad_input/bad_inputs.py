@@ -404,7 +404,10 @@ CONDITIONS = [
     entry("Boundary conditions/Displacement at points", "0.123, 0.1 : y : 0",
           "'0.123 0.1'", "no vertex", leaves=["results"]),
     conditions("top : y : t", "the body can move in x", leaves=["results"]),
-    conditions("left : x : t", "can move in y", leaves=["results"]),
+    several("a body held in x only", [
+        ("Boundary conditions/Displacement", "left : x : t"),
+        ("Load stepping/Force boundary", "left")],
+        "Boundary conditions/Displacement", "can move in y", leaves=["results"]),
     several("a body that turns about a point", [
         ("Boundary conditions/Displacement", ""), ("Load stepping/Force boundary", ""),
         ("Boundary conditions/Displacement at points", "0, 28 : all : 0")],
