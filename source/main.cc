@@ -212,8 +212,10 @@ namespace
   int
   report(const char *what, const int status)
   {
+    // at once, so that mpirun puts nothing in between
     if (on_first_rank())
-      std::cerr << "mixed-cracks: error: " << what << std::endl;
+      std::cerr << "mixed-cracks: error: " + std::string(what) + "\n"
+                << std::flush;
     return status;
   }
 } // namespace
@@ -225,7 +227,10 @@ main(int argc, char **argv)
 {
   prepare_single_process();
   survive_file_size_limit();
+  const bool                               under_nohup = ignores_hangup();
   dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
+  if (under_nohup)
+    ignore_hangup(); // PETSc has set it back
   try
   {
     return run(argc, argv);
@@ -245,7 +250,8 @@ main(int argc, char **argv)
   catch (const StoppedEarly &stop)
   {
     if (on_first_rank())
-      std::cerr << "mixed-cracks: " << stop.what() << std::endl;
+      std::cerr << "mixed-cracks: " + std::string(stop.what()) + "\n"
+                << std::flush;
     return stop.exit_status;
   }
   catch (const std::exception &error)

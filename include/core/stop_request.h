@@ -8,6 +8,12 @@
 
 namespace MixedCracks
 {
+  /// Whether a SIGHUP, as of a closed terminal, does nothing to this process.
+  bool ignores_hangup();
+
+  /// As nohup does it, for libraries that set it back when they are started.
+  void ignore_hangup();
+
   /// From now on SIGTERM, SIGINT, SIGHUP and SIGUSR1 ask the run to stop in
   /// order, rather than ending it. A SIGHUP that is ignored, as under nohup,
   /// stays ignored. A second SIGINT, two seconds after the first request or

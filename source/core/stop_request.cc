@@ -45,6 +45,25 @@ namespace MixedCracks
 
 
 
+  bool
+  ignores_hangup()
+  {
+    struct sigaction present
+    {};
+    return sigaction(SIGHUP, nullptr, &present) == 0 &&
+           present.sa_handler == SIG_IGN;
+  }
+
+
+
+  void
+  ignore_hangup()
+  {
+    std::signal(SIGHUP, SIG_IGN);
+  }
+
+
+
   void
   listen_for_stop_requests()
   {
@@ -55,10 +74,7 @@ namespace MixedCracks
     sigemptyset(&action.sa_mask);
     for (const int signal : {SIGTERM, SIGINT, SIGUSR1})
       sigaction(signal, &action, nullptr);
-    struct sigaction present
-    {};
-    if (sigaction(SIGHUP, nullptr, &present) == 0 &&
-        present.sa_handler != SIG_IGN)
+    if (!ignores_hangup())
       sigaction(SIGHUP, &action, nullptr);
   }
 
