@@ -27,7 +27,8 @@ namespace MixedCracks
     std::string signature;
     /// what a step that failed was tried with, as in case_signature.h
     std::string  attempt;
-    RunEnd       end           = RunEnd::none;
+    RunEnd       end = RunEnd::none;
+    std::string  why_failed;         ///< behind the words for the end
     double       cell_size     = 0.; ///< mm, of the first mesh
     double       time          = 0.; ///< s
     double       time_step     = 0.; ///< that led here, s
@@ -108,7 +109,7 @@ namespace MixedCracks
     ContentsOnDisk    contents;             ///< of the one that was read
   };
 
-  /// Bytes that one generation takes on a mesh of @p n_cells, at most; without
+  /// Bytes that one generation takes on a mesh of @p n_cells, about; without
   /// the rows of the run, which are about 0.3 kB each.
   template <int dim>
   std::uint64_t checkpoint_size(const Fields<dim> &fields,

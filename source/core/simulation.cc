@@ -86,7 +86,7 @@ namespace MixedCracks
       run_end = end_of_resumed_run(accepted);
     had_ended = run_end != RunEnd::none && resumed;
     advance_to_the_end(accepted);
-    if (run_end == RunEnd::failed)
+    if (run_end == RunEnd::failed && !had_ended)
       why_failed += hint_at_no_stiffness();
     return finish(accepted,
                   {exit_status(run_end), end_in_words() + why_failed});

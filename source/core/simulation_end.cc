@@ -27,7 +27,10 @@ namespace MixedCracks
       end = RunEnd::end_time;
     // the same step would come to the same
     else if (resumed->end == RunEnd::failed && is_again)
-      end = RunEnd::failed;
+    {
+      end        = RunEnd::failed;
+      why_failed = resumed->why_failed;
+    }
     else if (resumed->end == RunEnd::onset && is_again)
       end = RunEnd::onset;
 

@@ -111,8 +111,9 @@ namespace MixedCracks
                      1e-9 * bytes_of_solution<dim>(
                               solver, mesh.n_elastic + mesh.n_phase_field),
                      solver.c_str()));
-    log.line(printed("checkpoint: about %.3g MB on this mesh, and twice that "
-                     "on the disk, as the one before is kept",
+    log.line(printed("checkpoint: about %.3g MB on this mesh and 0.3 kB for "
+                     "each load step; twice that on the disk, as the one "
+                     "before is kept",
                      1e-6 * static_cast<double>(checkpoint_size(
                               fields,
                               static_cast<std::uint64_t>(mesh.n_cells),

@@ -15,6 +15,7 @@ namespace MixedCracks
     record.signature           = signature.problem;
     record.attempt             = signature.attempt;
     record.end                 = run_end;
+    record.why_failed          = why_failed;
     record.cell_size           = cell_size;
     record.time                = state.time;
     record.time_step           = state.time_step;

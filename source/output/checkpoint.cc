@@ -25,12 +25,20 @@ namespace MixedCracks
     template <int dim>
     constexpr std::uint64_t bytes_per_tree = dim == 2 ? 140 : 400;
 
+    // The same where each corner and edge belongs to as many cells as in a
+    // regular mesh.
+    template <int dim>
+    constexpr std::uint64_t usual_bytes_per_tree = dim == 2 ? 68 : 234;
+
     // Of a cell in p4est's file: its coordinates and its level.
     template <int dim>
     constexpr std::uint64_t bytes_per_quadrant = 4 * (dim + 1);
 
     // of what is small: record, seal, the ends of blocks
     constexpr std::uint64_t margin = 65536;
+
+    // the same, as it is without rows
+    constexpr std::uint64_t usual_record = 4096;
 
 
 
@@ -102,8 +110,8 @@ namespace MixedCracks
     FieldsOnDisk values;
     values.cells          = n_cells;
     values.bytes_per_cell = checkpoint_bytes_per_cell(fields);
-    return size_of_values(values) +
-           largest_mesh_size<dim>(n_cells, n_coarse_cells);
+    return size_of_values(values) + n_cells * bytes_per_quadrant<dim> +
+           n_coarse_cells * usual_bytes_per_tree<dim> + usual_record;
   }
 
 

@@ -28,16 +28,18 @@ namespace MixedCracks
     auto
     on_elastic_dofs(AnyState &state)
     {
-      return std::array{&state.elastic, &state.reaction};
+      return std::array<decltype(&state.elastic), 2>{
+        {&state.elastic, &state.reaction}};
     }
 
     template <typename AnyState>
     auto
     on_phase_field_dofs(AnyState &state)
     {
-      return std::array{&state.phase_field,
-                        &state.lagged_phase_field,
-                        &state.previous_phase_field};
+      return std::array<decltype(&state.phase_field), 3>{
+        {&state.phase_field,
+         &state.lagged_phase_field,
+         &state.previous_phase_field}};
     }
 
 
@@ -189,8 +191,8 @@ namespace MixedCracks
     using Vector                  = LinearAlgebra::Vector;
     const Vector          elastic = fields.owned_vector(fields.elastic_dofs);
     const Vector          phase = fields.owned_vector(fields.phase_field_dofs);
-    std::array<Vector, 2> on_elastic{elastic, elastic};
-    std::array<Vector, 3> on_phase_field{phase, phase, phase};
+    std::array<Vector, 2> on_elastic{{elastic, elastic}};
+    std::array<Vector, 3> on_phase_field{{phase, phase, phase}};
     std::uint64_t         sum = 0;
 
     const unsigned int handle = triangulation.register_data_attach(

@@ -31,15 +31,15 @@ def ends_again(run, directory, *settings, status=0, says="", ranks=1):
 
 
 def a_force_that_fell(run, folder):
-    torn = folder / "torn"
-    run(torn)
-    ends_again(run, torn, says="the force fell")
-    ends_again(run, torn, says="the force fell", ranks=2)
+    torn, fallen = folder / "torn", STOP % 0.6
+    run(torn, settings=[fallen])
+    ends_again(run, torn, fallen, says="the force fell")
+    ends_again(run, torn, fallen, says="the force fell", ranks=2)
     # killed between the last checkpoint and the end: nothing but that is lost
     killed = folder / "killed"
     shutil.copytree(torn, killed)
     (killed / "summary.json").unlink()
-    run(killed, "--resume")
+    run(killed, "--resume", settings=[fallen])
     assert result(killed) == result(torn)
     # a lower fraction: on to where an uninterrupted run comes to
     whole = folder / "torn further"
@@ -76,19 +76,22 @@ def an_end_time(run, folder):
 
 def an_onset(run, folder):
     directory = folder / "onset"
-    onset = ("Load stepping/Stop at onset=true", )
+    # on so coarse a mesh the phase field falls slowly
+    slow = ("Load stepping/Largest phase-field change=0.1",
+            "Load stepping/Onset step=1e-3")
+    onset = (*slow, "Load stepping/Stop at onset=true")
     run(directory, settings=onset)
     assert "onset" in result(directory)["exit_reason"]
     n_rows = len(rows(directory))
     ends_again(run, directory, *onset, says="onset")
-    run(directory, "--resume")
+    run(directory, "--resume", settings=slow)
     assert len(rows(directory)) > n_rows
     assert "the force fell" in result(directory)["exit_reason"]
 
 
 def a_failure(run, folder):
     directory = folder / "failed"
-    failing = (ITERATIONS % 2, "Load stepping/Smallest step=2.5e-4",
+    failing = (ITERATIONS % 3, "Load stepping/Smallest step=2.5e-4",
                "Output/Checkpoint every=0")
     run(directory, settings=failing, status=3)
     n_rows = len(rows(directory))

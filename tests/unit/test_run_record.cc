@@ -23,6 +23,7 @@ namespace
     record.signature           = "a/b = \"1\"\nc/d = 2\n";
     record.attempt             = "e = \\ 3\n";
     record.end                 = RunEnd::onset;
+    record.why_failed          = ": it \"diverged\"";
     record.cell_size           = 0.1;
     record.time                = 1. / 3.;
     record.time_step           = 1e-5;
