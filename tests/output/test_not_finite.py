@@ -26,11 +26,17 @@ AT_START = {
     "point": "Boundary conditions/Displacement at points=1, 0.5 : x : 1e250"}
 LATER_ON = {
     "displacement": MOVE + "0.1*t + " + LATER,
-    "displacement that grows": MOVE + "0.1*t*exp(800*t)",
     "traction": "Boundary conditions/Traction=right : x : " + LATER,
     "body force": "Boundary conditions/Body force=y : " + LATER,
     "fluid pressure": "Fluid/Pressure=" + LATER,
     "point": "Boundary conditions/Displacement at points=1, 0.5 : x : " + LATER}
+# {what: (setting, why no step can be calculated)}; of what is merely too large
+# for the body, whatever fails first
+FIRST_STEP = {
+    "displacement that grows": (MOVE + "0.1*t*exp(800*t)", "load step failed"),
+    "stiffness": ("Material/Shear modulus=1e300",
+                  "constants of the material are too large, or the matrix is "
+                  "singular")}
 INFINITE = {
     "displacement": (MOVE + "0.1*t/(t < 0.7)", "Displacement"),
     "traction": ("Boundary conditions/Traction=right : x : exp(2000*(t - 0.1))",
@@ -74,6 +80,14 @@ def main():
             summary = strict_json(folder, "run%d" % number, "summary.json")
             assert "finite" in summary["exit_reason"], (name, summary)
             check_tables(os.path.join(folder, "run%d" % number), 2)
+        for name, (setting, why) in FIRST_STEP.items():
+            number += 1
+            run(setting, 3, number)
+            summary = strict_json(folder, "run%d" % number, "summary.json")
+            assert why in summary["exit_reason"], (name, summary)
+            # that is no cure
+            assert "kappa" not in summary["exit_reason"], (name, summary)
+            check_tables(os.path.join(folder, "run%d" % number), 1)
         for name, (setting, entry) in INFINITE.items():
             number += 1
             out = run(setting, 2, number)

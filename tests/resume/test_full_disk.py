@@ -20,8 +20,9 @@ from runs import Runner, environment, errors_in, generations, rows, same_rows
 SETTINGS = ["Load stepping/End time=6e-3", "Output/Checkpoint every=1",
             "Output/Fields every=1",
             "Load stepping/Stop when force falls below=0"]
-# in kB: nothing fits, ..., all but the last steps
-SIZES = (40, 300, 500, 900)
+# of what a whole run takes: hardly anything fits, ..., all but the last steps
+PARTS = (0.05, 0.4, 0.7, 0.95)
+PAGE = 4096  # bytes, in which a tmpfs counts
 
 
 def full(run, directory, prefix, settings, ranks):
@@ -51,14 +52,15 @@ def goes_on(run, directory, settings, whole):
 
 
 def size_of_files(run, folder, settings, whole):
-    """ulimit -f: bash counts in kB. The largest file is that of the values."""
+    """ulimit -f: bash counts in kB. The largest file is that of the values.
+    Without mpirun, which has larger files of its own."""
     largest = max(path.stat().st_size
                   for path in generations(whole)[0].iterdir()) // 1024
     n_full = 0
     for kilobytes in (3, largest // 2, largest - 1, largest + 80):
         directory = folder / ("limit %d" % kilobytes)
         prefix = ["bash", "-c", "ulimit -f %d; exec \"$@\"" % kilobytes, "bash"]
-        n_full += full(run, directory, prefix, settings, 1)
+        n_full += full(Runner(run.executable, ()), directory, prefix, settings, 1)
         goes_on(run, directory, settings, whole)
     assert 3 <= n_full < 4 or largest < 6, n_full
 
@@ -69,10 +71,18 @@ def may_mount():
          "/mnt"], stderr=subprocess.DEVNULL, check=False).returncode == 0
 
 
+def pages_of(directory):
+    return sum((path.stat().st_size + PAGE - 1) // PAGE
+               for path in directory.rglob("*") if path.is_file())
+
+
 def size_of_disk(run, folder, settings, whole, ranks):
     """The disk is there for the run alone; what is on it is copied from it."""
     n_full = n_continued = 0
-    for kilobytes in SIZES:
+    undisturbed = folder / ("whole %d" % ranks)
+    run(undisturbed, settings=settings, ranks=ranks)
+    for part in PARTS:
+        kilobytes = int(part * pages_of(undisturbed)) * PAGE // 1024
         disk, copy = folder / "disk", folder / ("copy %d %d" % (ranks, kilobytes))
         disk.mkdir(exist_ok=True)
         prefix = ["unshare", "-m", "bash", "-c",
@@ -83,8 +93,8 @@ def size_of_disk(run, folder, settings, whole, ranks):
         n_continued += goes_on(run, copy, settings, whole)
         shutil.rmtree(copy, ignore_errors=True)
     print("ranks %d: %d of %d disks were full, %d runs went on"
-          % (ranks, n_full, len(SIZES), n_continued), flush=True)
-    assert n_full >= 2 and n_continued >= 1, (n_full, n_continued)
+          % (ranks, n_full, len(PARTS), n_continued), flush=True)
+    assert n_full == len(PARTS) and n_continued >= 1, (n_full, n_continued)
 
 
 def main():
