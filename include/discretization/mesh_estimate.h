@@ -21,9 +21,9 @@ namespace MixedCracks
   };
 
   /// What refine_globally_and_in_regions() would make of @p coarse, without
-  /// doing it. Cells are taken as straight, and those that are refined only
-  /// because a neighbour is much finer are not counted. Collective; every rank
-  /// has the coarse mesh, which is not refined yet.
+  /// doing it. Cells are taken as straight; those that are refined only because
+  /// a neighbour is much finer are counted as in a grid of equal cells.
+  /// Collective; every rank has the coarse mesh, which is not refined yet.
   template <int dim>
   MeshEstimate estimate_mesh(const dealii::Triangulation<dim> &coarse,
                              const FieldLayout                &layout,

@@ -64,6 +64,37 @@ namespace MixedCracks
 
 
 
+    // As levels of neighbours differ by one at most, a cell is cut where a
+    // region whose cells get level @p finest is nearer than one cell of each
+    // level between: so far, in units of its size.
+    double
+    ring_around(const unsigned int level, const unsigned int finest)
+    {
+      return level + 1 < finest ? 1. - std::pow(0.5, 1. * (finest - 1 - level))
+                                : 0.;
+    }
+
+
+
+    // The cell with a ring around it.
+    template <int dim>
+    CellExtent<dim>
+    grown(const CellExtent<dim> &cell, const double ring)
+    {
+      Point<dim> lower, upper;
+      for (unsigned int d = 0; d < dim; ++d)
+      {
+        const double width = ring * cell.box.side_length(d);
+        lower[d]           = cell.box.lower_bound(d) - width;
+        upper[d]           = cell.box.upper_bound(d) + width;
+      }
+      return {BoundingBox<dim>({lower, upper}),
+              cell.center,
+              (1. + 2. * ring) * cell.diameter};
+    }
+
+
+
     // What regions do to a cell and all that it is cut into.
     struct Reach
     {
@@ -73,7 +104,10 @@ namespace MixedCracks
 
     template <int dim>
     Reach
-    reach_of(const CellExtent<dim> &cell, const RefinementRegions<dim> &regions)
+    reach_of(const CellExtent<dim>        &cell,
+             const unsigned int            level,
+             const unsigned int            n_global,
+             const RefinementRegions<dim> &regions)
     {
       Reach        reach{0, 0};
       const double radius = 0.5 * cell.diameter;
@@ -85,13 +119,15 @@ namespace MixedCracks
       };
       for (const RefinementBox<dim> &each : regions.boxes)
       {
+        const CellExtent<dim> ring =
+          grown(cell, ring_around(level, n_global + each.levels));
         bool apart = false, inside = true;
         for (unsigned int d = 0; d < dim; ++d)
         {
           const double lower = each.box.lower_bound(d),
                        upper = each.box.upper_bound(d);
-          apart              = apart || cell.box.upper_bound(d) <= lower ||
-                  cell.box.lower_bound(d) >= upper;
+          apart              = apart || ring.box.upper_bound(d) <= lower ||
+                  ring.box.lower_bound(d) >= upper;
           inside = inside && cell.box.lower_bound(d) >= lower &&
                    cell.box.upper_bound(d) <= upper;
         }
@@ -103,7 +139,8 @@ namespace MixedCracks
         double nearest = std::numeric_limits<double>::max();
         for (const FlatPiece<dim> &piece : each.pieces)
           nearest = std::min(nearest, distance(cell.center, piece));
-        if (nearest < each.distance + 2. * radius)
+        const double ring = ring_around(level, n_global + each.levels);
+        if (nearest < each.distance + 2. * (1. + ring) * radius)
           note(each.levels, nearest + radius < each.distance);
       }
       return reach;
@@ -120,32 +157,48 @@ namespace MixedCracks
               const RefinementRegions<dim> &regions)
         : n_global(n_global)
         , regions(regions)
-      {}
+      {
+        for (const auto &each : regions.boxes)
+          most_levels = std::max(most_levels, each.levels);
+        for (const auto &each : regions.surroundings)
+          most_levels = std::max(most_levels, each.levels);
+      }
 
       // @p size: measure^(1/dim) of the cell of the coarse mesh
       void
       count(const VirtualCell<dim> &cell, const double size)
       {
         const CellExtent<dim> extent = cell.extent();
-        const Reach           reach  = reach_of<dim>(extent, regions);
+        const Reach           reach =
+          reach_of<dim>(extent, cell.level, n_global, regions);
         if (reach.most == reach.least || ++n_visits > most_visits)
         {
           add(cell.level, std::max(cell.level, n_global + reach.least), size);
           return;
         }
-        if (cell.level >=
-            n_global +
-              (cell.level < n_global ? 0 : wanted_levels<dim>(extent, regions)))
-          add(cell.level, cell.level, size);
-        else
+        if (is_cut(extent, cell.level))
           for (unsigned int c = 0; c < VirtualCell<dim>::n; ++c)
             count(cell.child(c), size);
+        else
+          add(cell.level, cell.level, size);
       }
 
       // by level: number of cells, and the sum of their sizes
       std::map<unsigned int, std::array<double, 2>> levels;
 
     private:
+      bool
+      is_cut(const CellExtent<dim> &cell, const unsigned int level) const
+      {
+        if (level < n_global)
+          return true;
+        for (unsigned int n = most_levels; n_global + n > level; --n)
+          if (wanted_levels<dim>(grown(cell, ring_around(level, n_global + n)),
+                                 regions) >= n)
+            return true;
+        return false;
+      }
+
       void
       add(const unsigned int from, const unsigned int to, const double size)
       {
@@ -156,7 +209,8 @@ namespace MixedCracks
 
       const unsigned int            n_global;
       const RefinementRegions<dim> &regions;
-      unsigned int                  n_visits = 0;
+      unsigned int                  most_levels = 0;
+      unsigned int                  n_visits    = 0;
     };
 
 

@@ -39,7 +39,8 @@ namespace
   compare(const FieldLayout            &layout,
           const unsigned int            n_global,
           const RefinementRegions<dim> &regions,
-          const double                  tolerance)
+          const double                  tolerance,
+          const double                  tolerance_of_dofs)
   {
     Mesh<dim> mesh(MPI_COMM_WORLD);
     make_coarse(mesh);
@@ -48,12 +49,14 @@ namespace
     refine_globally_and_in_regions(mesh, n_global, regions);
     Fields<dim> fields(mesh, layout);
     fields.distribute();
-    const auto near = [&](const double found, const double exact) {
-      EXPECT_NEAR(found / exact, 1., tolerance) << found << ' ' << exact;
-    };
-    near(estimate.n_cells, mesh.n_global_active_cells());
-    near(estimate.n_elastic, fields.elastic.n_dofs());
-    near(estimate.n_phase_field, fields.phase_field.n_dofs());
+    const auto near =
+      [](const double found, const double exact, const double bound) {
+        EXPECT_NEAR(found / exact, 1., bound) << found << ' ' << exact;
+      };
+    near(estimate.n_cells, mesh.n_global_active_cells(), tolerance);
+    near(estimate.n_elastic, fields.elastic.n_dofs(), tolerance_of_dofs);
+    near(
+      estimate.n_phase_field, fields.phase_field.n_dofs(), tolerance_of_dofs);
     EXPECT_EQ(estimate.finest_level + 1, mesh.n_global_levels());
     EXPECT_EQ(estimate.is_exact, tolerance == 0.);
     double size = 0.;
@@ -80,10 +83,12 @@ namespace
                                  dim == 2 ? 4u : 2u};
     const RefinementSurroundings<dim> ball{
       {FlatPiece<dim>::point(center)}, 0.3, dim == 2 ? 5u : 3u};
-    // cells between fine and coarse are not counted
-    compare<dim>({true, 2}, 1, {{box}, {}}, dim == 2 ? 0.06 : 0.15);
-    compare<dim>({false, 1}, 1, {{}, {ball}}, dim == 2 ? 0.06 : 0.15);
-    compare<dim>({true, 2}, 0, {{box}, {ball}}, dim == 2 ? 0.06 : 0.15);
+    // hanging nodes are not counted, and in 3-d these meshes of some hundred
+    // cells have many: up to 0.4 of all dofs
+    const double cells = dim == 2 ? 0.06 : 0.15, dofs = dim == 2 ? 0.06 : 0.45;
+    compare<dim>({true, 2}, 1, {{box}, {}}, cells, dofs);
+    compare<dim>({false, 1}, 1, {{}, {ball}}, cells, dofs);
+    compare<dim>({true, 2}, 0, {{box}, {ball}}, cells, dofs);
   }
 } // namespace
 
@@ -93,10 +98,10 @@ TEST(MeshEstimate, IsExactForGlobalRefinement)
 {
   for (const bool mixed : {true, false})
   {
-    compare<2>({mixed, 2}, 3, {}, 0.);
-    compare<2>({mixed, 1}, 0, {}, 0.);
-    compare<3>({mixed, 2}, 1, {}, 0.);
-    compare<3>({mixed, 1}, 2, {}, 0.);
+    compare<2>({mixed, 2}, 3, {}, 0., 0.);
+    compare<2>({mixed, 1}, 0, {}, 0., 0.);
+    compare<3>({mixed, 2}, 1, {}, 0., 0.);
+    compare<3>({mixed, 1}, 2, {}, 0., 0.);
   }
 }
 
