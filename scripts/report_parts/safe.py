@@ -7,6 +7,8 @@ import math
 
 # What is larger is no measure of a body in mm, N, MPa or s, and breaks drawing.
 LARGEST = 1e30
+# What is smaller is 0: its square is, and quotients of such numbers are nothing.
+SMALLEST = 1e-150
 DEEPEST = 20  # lists within lists
 
 
@@ -25,6 +27,8 @@ def finite(text):
         value = float(text)
     except (TypeError, ValueError, OverflowError):
         return None
+    if abs(value) < SMALLEST:
+        return 0.
     return value if abs(value) <= LARGEST else None
 
 

@@ -39,7 +39,7 @@ FIRST_STEP = {
                   "singular")}
 INFINITE = {
     "displacement": (MOVE + "0.1*t/(t < 0.7)", "Displacement"),
-    "traction": ("Boundary conditions/Traction=right : x : exp(2000*(t - 0.1))",
+    "traction": ("Boundary conditions/Traction=right : x : exp(2000*(t - 0.6))",
                  "Traction"),
     "fluid pressure": ("Fluid/Pressure=sqrt(0.6 - t)", "Fluid/Pressure"),
     "phase field": (MOVE + "0.1*t ; right : phase field : log(0.6 - t)",
