@@ -66,8 +66,10 @@ def separation_index(force, peak, results):
     summary = results.summary
     if summary.get("separated") is False and summary.get("force_fell") is not True:
         return None
+    if not force[peak] > 0.:  # nothing has fallen
+        return None
     below = np.nonzero(force[peak:] <= separation_threshold(results) * force[peak])[0]
-    if force[peak] > 0. and len(below) and below[0] > 0:
+    if len(below) and below[0] > 0:
         return peak + int(below[0])
     if (summary.get("separated") is True or summary.get("force_fell") is True) \
             and peak < len(force) - 1:
