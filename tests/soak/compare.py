@@ -47,6 +47,12 @@ MAY_DIFFER = {
     "crack_opening.csv": {},
 }
 
+# Figures of the mesh that are compared up to the step in which a crack runs through, but not
+# from it on: that step goes through states that are far from equilibrium, and
+# which of them asks for finer cells depends on rounding. What is found on either
+# mesh is compared as everywhere.
+WHILE_RUNNING = {"cells", "dofs", "active_set_size", "finest_cell_mm"}
+
 
 class Difference(Exception):
     """What is not as in the uninterrupted run."""
@@ -133,6 +139,8 @@ def compare_table(name, found_in, expected_in, separated):
         values = [abs(number(row[column]) or 0.) for row in expected]
         for one, other in zip(found, expected):
             apart = int(other["step"]) >= separated
+            if apart and column in WHILE_RUNNING:
+                continue
             difference = compare_cell(
                 "%s, step %s, %s" % (name, other["step"], column), one[column],
                 other[column], max(values),
@@ -142,7 +150,7 @@ def compare_table(name, found_in, expected_in, separated):
     return result
 
 
-def compare_summary(found_in, expected_in):
+def compare_summary(found_in, expected_in, separated):
     found = strict_json(found_in / "summary.json")
     expected = strict_json(expected_in / "summary.json")
     if set(found) != set(expected):
@@ -152,7 +160,8 @@ def compare_summary(found_in, expected_in):
         raise Difference("summary.json: %d warnings, uninterrupted %d"
                          % (len(found["warnings"]), len(expected["warnings"])))
     for key, value in expected.items():
-        if key in MAY_DIFFER["summary.json"]:
+        if key in MAY_DIFFER["summary.json"] or (
+                separated < math.inf and key in WHILE_RUNNING):
             continue
         if isinstance(value, float) and isinstance(found[key], (int, float)):
             scale = max(abs(value), 1.)
@@ -198,6 +207,6 @@ def compare(found_in, expected_in):
             for column, value in compare_table(name, found_in, expected_in,
                                                separated).items():
                 result[name + " " + column] = value
-    compare_summary(found_in, expected_in)
+    compare_summary(found_in, expected_in, separated)
     compare_fields(found_in, expected_in)
     return result

@@ -7,6 +7,9 @@ from disturbances import Offence, disturb
 from processes import MESSAGE
 
 STOPPED = 5  # exit status
+# a stop before the state was back: nothing is new, and what stands in the files
+# beyond the checkpoint is of a piece that was killed
+CHECKPOINT_AS_IT_WAS = "while the checkpoint was read"
 
 
 def last_step(directory):
@@ -57,6 +60,8 @@ class Life:
             return True
         if "internal error" in text or "Signal: Segmentation" in text:
             raise Offence("exit status %d:\n%s" % (status, text[-2000:]))
+        if status == STOPPED and CHECKPOINT_AS_IT_WAS in text:
+            return False
         self.stopped = status == STOPPED
         step = last_step(self.directory)
         if self.stopped:
