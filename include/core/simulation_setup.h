@@ -24,9 +24,11 @@ namespace MixedCracks
   refined_regions(const Parameters<dim>            &parameters,
                   const dealii::Triangulation<dim> &triangulation);
 
-  /// The mesh of the geometry, not refined. Collective.
+  /// The mesh of @p geometry, the chosen one or that with larger cells, not
+  /// refined. Collective.
   template <int dim>
   void make_coarse_mesh(const Parameters<dim>      &parameters,
+                        const Geometry<dim>        &geometry,
                         dealii::Triangulation<dim> &triangulation);
 
   /// Coarse mesh, refined as subsection "Mesh" says. Collective.
@@ -36,7 +38,8 @@ namespace MixedCracks
 
   /// The same for `--check`: a mesh of so many cells that building it takes
   /// long is refined only where the .prm names points, and what it would be is
-  /// returned. Collective.
+  /// returned. Where already the coarse mesh has too many, one with larger
+  /// cells takes its place. Collective.
   template <int dim>
   std::optional<MeshEstimate>
   make_mesh_to_check(const Parameters<dim>      &parameters,

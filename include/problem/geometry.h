@@ -11,6 +11,7 @@
 #include <deal.II/grid/tria.h>
 
 #include <map>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -51,6 +52,22 @@ namespace MixedCracks
     /// set. Called by every rank alike. Throws FileError when a mesh file
     /// cannot be read.
     virtual void create(dealii::Triangulation<dim> &triangulation) const = 0;
+
+    /// How many cells the coarse mesh has, about, told before it is built; none
+    /// when only the mesh can tell.
+    virtual std::optional<double>
+    n_coarse_cells() const
+    {
+      return {};
+    }
+
+    /// The same domain with a coarse mesh of cells that are @p factor times as
+    /// long, as far as the domain allows. Null where n_coarse_cells() is none.
+    virtual std::unique_ptr<Geometry<dim>>
+    coarser(const double /*factor*/) const
+    {
+      return nullptr;
+    }
 
     /// More about the names of the boundary parts, for the message about one
     /// that is not there: sentences, or nothing.

@@ -106,9 +106,9 @@ namespace MixedCracks
   template <int dim>
   void
   make_coarse_mesh(const Parameters<dim> &parameters,
+                   const Geometry<dim>   &geometry,
                    Triangulation<dim>    &triangulation)
   {
-    const Geometry<dim> &geometry = parameters.geometry.chosen();
     geometry.create(triangulation);
     // what only the mesh of a file can tell
     parameters.mesh.check(GridTools::compute_bounding_box(triangulation),
@@ -122,7 +122,7 @@ namespace MixedCracks
   make_mesh(const Parameters<dim> &parameters,
             Triangulation<dim>    &triangulation)
   {
-    make_coarse_mesh(parameters, triangulation);
+    make_coarse_mesh(parameters, parameters.geometry.chosen(), triangulation);
     refine_globally_and_in_regions(triangulation,
                                    parameters.mesh.global_refinements,
                                    refined_regions(parameters, triangulation));
@@ -245,9 +245,9 @@ namespace MixedCracks
 #define INSTANTIATE(dim)                                                       \
   template RefinementRegions<dim> refined_regions(const Parameters<dim> &,     \
                                                   const Triangulation<dim> &); \
-  template void   make_mesh(const Parameters<dim> &, Triangulation<dim> &);    \
-  template void   make_coarse_mesh(const Parameters<dim> &,                    \
-                                   Triangulation<dim> &);                      \
+  template void make_mesh(const Parameters<dim> &, Triangulation<dim> &);      \
+  template void make_coarse_mesh(                                              \
+    const Parameters<dim> &, const Geometry<dim> &, Triangulation<dim> &);     \
   template double finest_cell_size(const Triangulation<dim> &, MPI_Comm);      \
   template std::vector<PrescribedComponent<dim>> prescribed_components(        \
     const Parameters<dim> &, unsigned int);                                    \

@@ -10,6 +10,7 @@ refused; a body held and loaded at points only runs; load steps that are not
 given follow from the end time; kappa = 0 runs, or is named where it cannot.
 """
 import csv
+import math
 import os
 import re
 import resource
@@ -31,6 +32,7 @@ subsection Boundary conditions
   set Displacement = bottom : all : 0 ; top : y : 0.001*t
 end
 """
+STRIP, BOX = "punctured strip", "box\n  set Dimension = 3"
 SQUARE = "subsection Geometry\n  set Name = rectangle\nend\n" + MATERIAL
 BEAM = """\
 subsection Geometry
@@ -128,6 +130,25 @@ class Preflight(unittest.TestCase):
                              "Mesh/Refined boxes=0.25,0.25 : 0.75,0.75 : 9")
         found = float(re.search(r"cells: about (\S+);", text).group(1))
         self.assertAlmostEqual(found / (0.25 * (10 * 2 ** 9) ** 2), 1., delta=0.1)
+
+    def test_many_coarse_cells_are_counted(self):
+        """As fast where no refinement but the coarse mesh makes the cells."""
+        for name, many in (("", ["--set", "Geometry/Rectangle/Cells=800, 400"]),
+                           (STRIP, ["--set", "Geometry/Punctured strip/Cell size=0.05"]),
+                           (BOX, ["--set", "Geometry/Box/Cells=100, 100, 90"])):
+            case = SQUARE.replace("rectangle\nend", name + "\nend") if name \
+                else SQUARE
+            case += HELD
+            before = resource.getrusage(resource.RUSAGE_CHILDREN)
+            text = self.run_case(case, "--check", *many)
+            after = resource.getrusage(resource.RUSAGE_CHILDREN)
+            self.assertLess(after.ru_utime - before.ru_utime, 4.)
+            self.assertIn("not checked: the mesh itself", text)
+            found = float(re.search(r"cells: about (\S+);", text).group(1))
+            # [0, 20] x [0, 28] with a hole of radius 4, of squares of 0.05
+            exact = {"": 320000, STRIP: (20 * 28 - math.pi * 16) / 0.05 ** 2,
+                     BOX: 900000}[name]
+            self.assertAlmostEqual(found / exact, 1., delta=0.12)
 
     def test_large_meshes_are_refused_for_what_small_ones_are(self):
         for more in ([], ["--set", "Mesh/Global refinements=8"]):

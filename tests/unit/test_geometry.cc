@@ -34,6 +34,34 @@ TEST(Geometry, EveryNameBuildsAMesh)
 }
 
 
+// n_coarse_cells() within a third of what is there, and the same names and
+// boundaries with a quarter of the cells
+TEST(Geometry, CoarserCellsLeaveTheDomainAsItIs)
+{
+  for (const std::string &name : all_geometries<2>().names())
+  {
+    SCOPED_TRACE(name);
+    const auto each = geometry(name);
+    if (name == "mesh file")
+    {
+      EXPECT_FALSE(each->n_coarse_cells());
+      EXPECT_EQ(each->coarser(2.), nullptr);
+      continue;
+    }
+    dealii::Triangulation<2> fine, coarse;
+    each->create(fine);
+    each->coarser(2.)->create(coarse);
+    EXPECT_NEAR(*each->n_coarse_cells() / fine.n_active_cells(), 1., 1. / 3.);
+    EXPECT_NEAR(4. * coarse.n_active_cells() / fine.n_active_cells(), 1., 0.5);
+    EXPECT_EQ(coarse.get_boundary_ids(), fine.get_boundary_ids());
+    for (const auto id : fine.get_boundary_ids())
+      EXPECT_NEAR(boundary_length(coarse, id) / boundary_length(fine, id),
+                  1.,
+                  0.03);
+  }
+}
+
+
 TEST(Geometry, ParametersHaveASubsectionForEachName)
 {
   GeometryParameters<2>    parameters;

@@ -33,6 +33,13 @@ namespace MixedCracks
   std::vector<unsigned int> read_cell_numbers(const std::string &text,
                                               unsigned int       dim,
                                               const std::string &parameter);
+
+  /// @p n cells on an edge when each is @p factor times as long: at least one.
+  unsigned int coarser_number(unsigned int n, double factor);
+
+  /// The same for several edges, as an entry that read_cell_numbers() reads.
+  std::string coarser_numbers(const std::vector<unsigned int> &n,
+                              double                           factor);
 } // namespace MixedCracks
 
 #endif

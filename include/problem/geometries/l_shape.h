@@ -26,6 +26,10 @@ namespace MixedCracks
 
     void create(dealii::Triangulation<dim> &triangulation) const override;
 
+    std::optional<double> n_coarse_cells() const override;
+
+    std::unique_ptr<Geometry<dim>> coarser(double factor) const override;
+
   private:
     /// The mesh in the plane, with boundary ids.
     void create_plane(dealii::Triangulation<2> &plane) const;

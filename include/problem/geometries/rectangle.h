@@ -23,6 +23,10 @@ namespace MixedCracks
 
     void create(dealii::Triangulation<dim> &triangulation) const override;
 
+    std::optional<double> n_coarse_cells() const override;
+
+    std::unique_ptr<Geometry<dim>> coarser(double factor) const override;
+
   private:
     dealii::Point<dim> lower_corner;
     dealii::Point<dim> upper_corner = unit_corner();

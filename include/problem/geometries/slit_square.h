@@ -26,6 +26,10 @@ namespace MixedCracks
 
     void create(dealii::Triangulation<dim> &triangulation) const override;
 
+    std::optional<double> n_coarse_cells() const override;
+
+    std::unique_ptr<Geometry<dim>> coarser(double factor) const override;
+
     std::map<std::string, FlatPiece<dim>> named_places() const override;
 
     std::vector<FlatPiece<dim>> slits() const override;

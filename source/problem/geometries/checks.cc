@@ -73,6 +73,26 @@ namespace MixedCracks
 
 
 
+  unsigned int
+  coarser_number(const unsigned int n, const double factor)
+  {
+    return std::max(1L, std::lround(n / factor));
+  }
+
+
+
+  std::string
+  coarser_numbers(const std::vector<unsigned int> &n, const double factor)
+  {
+    std::string result;
+    for (const unsigned int each : n)
+      result += (result.empty() ? "" : ", ") +
+                std::to_string(coarser_number(each, factor));
+    return result;
+  }
+
+
+
   std::vector<unsigned int>
   read_cell_numbers(const std::string &text,
                     const unsigned int dim,

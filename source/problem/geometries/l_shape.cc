@@ -7,6 +7,8 @@
 
 #include <deal.II/base/patterns.h>
 
+#include <cmath>
+
 namespace MixedCracks
 {
   namespace
@@ -102,6 +104,28 @@ namespace MixedCracks
       this->thickness(),
       thickness_cells,
       triangulation);
+  }
+
+
+
+  template <int dim>
+  std::optional<double>
+  LShape<dim>::n_coarse_cells() const
+  {
+    return 0.75 * std::pow(size / cell_size, 2.) *
+           (dim == 3 ? thickness_cells : 1.);
+  }
+
+
+
+  template <int dim>
+  std::unique_ptr<Geometry<dim>>
+  LShape<dim>::coarser(const double factor) const
+  {
+    auto result = std::make_unique<LShape>(*this);
+    result->cell_size *= factor;
+    result->thickness_cells = coarser_number(thickness_cells, factor);
+    return result;
   }
 
 

@@ -302,6 +302,29 @@ namespace MixedCracks
 
 
 
+  template <int dim>
+  std::optional<double>
+  PuncturedStrip<dim>::n_coarse_cells() const
+  {
+    return measures.width * measures.height /
+           (measures.cell_size * measures.cell_size) *
+           (dim == 3 ? thickness_cells : 1.);
+  }
+
+
+
+  template <int dim>
+  std::unique_ptr<Geometry<dim>>
+  PuncturedStrip<dim>::coarser(const double factor) const
+  {
+    auto result = std::make_unique<PuncturedStrip>(*this);
+    result->measures.cell_size *= factor;
+    result->thickness_cells = coarser_number(thickness_cells, factor);
+    return result;
+  }
+
+
+
   template class PuncturedStrip<2>;
   template class PuncturedStrip<3>;
 } // namespace MixedCracks

@@ -188,6 +188,28 @@ namespace MixedCracks
 
 
 
+  template <int dim>
+  std::optional<double>
+  Quadrilateral<dim>::n_coarse_cells() const
+  {
+    const std::vector<unsigned int> n = n_cells();
+    return 1. * n[0] * n[1] * (dim == 3 ? thickness_cells : 1.);
+  }
+
+
+
+  template <int dim>
+  std::unique_ptr<Geometry<dim>>
+  Quadrilateral<dim>::coarser(const double factor) const
+  {
+    auto result             = std::make_unique<Quadrilateral>(*this);
+    result->cells           = coarser_numbers(n_cells(), factor);
+    result->thickness_cells = coarser_number(thickness_cells, factor);
+    return result;
+  }
+
+
+
   template class Quadrilateral<2>;
   template class Quadrilateral<3>;
 } // namespace MixedCracks

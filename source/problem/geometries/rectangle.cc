@@ -133,6 +133,29 @@ namespace MixedCracks
 
 
 
+  template <int dim>
+  std::optional<double>
+  Rectangle<dim>::n_coarse_cells() const
+  {
+    double result = 1.;
+    for (const unsigned int n : n_cells())
+      result *= n;
+    return result;
+  }
+
+
+
+  template <int dim>
+  std::unique_ptr<Geometry<dim>>
+  Rectangle<dim>::coarser(const double factor) const
+  {
+    auto result   = std::make_unique<Rectangle>(*this);
+    result->cells = coarser_numbers(n_cells(), factor);
+    return result;
+  }
+
+
+
   template class Rectangle<2>;
   template class Rectangle<3>;
 } // namespace MixedCracks

@@ -7,6 +7,8 @@
 
 #include <deal.II/base/patterns.h>
 
+#include <cmath>
+
 namespace MixedCracks
 {
   namespace
@@ -147,6 +149,26 @@ namespace MixedCracks
   {
     return {
       {"slit tip", extruded_point<dim>({slit_length, slit_height}, size)}};
+  }
+
+
+
+  template <int dim>
+  std::optional<double>
+  SlitSquare<dim>::n_coarse_cells() const
+  {
+    return std::pow(size / cell_size, 1. * dim);
+  }
+
+
+
+  template <int dim>
+  std::unique_ptr<Geometry<dim>>
+  SlitSquare<dim>::coarser(const double factor) const
+  {
+    auto result = std::make_unique<SlitSquare>(*this);
+    result->cell_size *= factor;
+    return result;
   }
 
 
