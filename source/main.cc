@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include <core/case_signature.h>
+#include <core/collective.h>
 #include <core/command_line.h>
 #include <core/dimension.h>
 #include <core/parameter_file.h>

@@ -31,6 +31,17 @@ namespace MixedCracks
     if (failing < n)
       throw InputError(MPI::broadcast(communicator, message, failing));
   }
+
+  /// Throw a FileError with @p message on every rank when it is not empty on
+  /// rank 0. Collective.
+  inline void
+  throw_on_all_ranks(const std::string &message, const MPI_Comm communicator)
+  {
+    const std::string everywhere =
+      dealii::Utilities::MPI::broadcast(communicator, message, 0);
+    if (!everywhere.empty())
+      throw FileError(everywhere);
+  }
 } // namespace MixedCracks
 
 #endif

@@ -55,10 +55,6 @@ namespace MixedCracks
     bool                     held_a_run = false;
     std::vector<std::string> new_folders; ///< innermost first
   };
-
-  /// Throw a FileError with @p message on every rank when it is not empty on
-  /// rank 0. Collective.
-  void throw_on_all_ranks(const std::string &message, MPI_Comm communicator);
 } // namespace MixedCracks
 
 #endif

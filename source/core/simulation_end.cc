@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
+#include <core/collective.h>
 #include <core/simulation.h>
 
 namespace MixedCracks

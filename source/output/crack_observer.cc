@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
+#include <core/collective.h>
+
 #include <deal.II/base/mpi.h>
 
 #include <output/crack_observer.h>
-#include <output/directory.h>
 
 #include <algorithm>
 

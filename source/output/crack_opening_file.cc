@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
+#include <core/collective.h>
 #include <core/finite_text.h>
 
 #include <deal.II/base/mpi.h>
 
 #include <output/crack_opening_file.h>
-#include <output/directory.h>
 
 #include <fstream>
 #include <iomanip>

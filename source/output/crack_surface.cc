@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
+#include <core/collective.h>
+
 #include <deal.II/base/data_out_base.h>
 #include <deal.II/base/mpi.h>
 
 #include <deal.II/grid/grid_tools.h>
 
 #include <output/crack_surface.h>
-#include <output/directory.h>
 #include <output/run_files.h>
 
 #include <fstream>

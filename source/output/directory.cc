@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
+#include <core/collective.h>
 #include <core/errors.h>
 
 #include <deal.II/base/mpi.h>
@@ -188,18 +189,6 @@ namespace MixedCracks
     }
     MPI_Barrier(communicator);
   }
-
-
-
-  void
-  throw_on_all_ranks(const std::string &message, const MPI_Comm communicator)
-  {
-    const std::string everywhere =
-      dealii::Utilities::MPI::broadcast(communicator, message, 0);
-    if (!everywhere.empty())
-      throw FileError(everywhere);
-  }
-
 
 
   bool

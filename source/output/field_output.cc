@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
+#include <core/collective.h>
 #include <core/errors.h>
 
 #include <deal.II/numerics/data_out.h>
 
 #include <output/crack_surface.h>
-#include <output/directory.h>
 #include <output/disk.h>
 #include <output/field_output.h>
 #include <output/run_files.h>

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
+#include <core/collective.h>
 #include <core/finite_text.h>
 
 #include <deal.II/base/mpi.h>
 
-#include <output/directory.h>
 #include <output/statistics.h>
 
 #include <cmath>

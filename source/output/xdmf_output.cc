@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
+#include <core/collective.h>
 #include <core/errors.h>
 #include <core/log.h>
 
-#include <output/directory.h>
 #include <output/disk.h>
 #include <output/run_files.h>
 #include <output/xdmf_output.h>
