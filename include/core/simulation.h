@@ -16,6 +16,7 @@
 #include <output/crack_observer.h>
 #include <output/crack_opening.h>
 #include <output/crack_opening_file.h>
+#include <output/crack_path_writer.h>
 #include <output/directory.h>
 #include <output/field_output.h>
 #include <output/point_displacements.h>
@@ -245,6 +246,7 @@ namespace MixedCracks
 
     BoundaryQuantities<dim>  boundary_quantities;
     CrackObserver<dim>       crack_observer;
+    CrackPathWriter<dim>     crack_path_writer;
     CrackOpening<dim>        crack_opening;
     CrackOpeningFile<dim>    crack_opening_file;
     PointDisplacements<dim>  point_displacements;

@@ -6,7 +6,7 @@
 
 #include <discretization/fields.h>
 
-#include <output/crack_path_file.h>
+#include <output/crack_outcome.h>
 #include <output/damage_origins.h>
 
 #include <map>
@@ -15,8 +15,17 @@
 
 namespace MixedCracks
 {
+  /// The cracks of a phase field.
+  struct TracedCracks
+  {
+    std::vector<Crack> paths;   ///< on rank 0; empty elsewhere, and in 3-d
+    Outcome            outcome; ///< on rank 0; "not traced" in 3-d
+    /// whether they separate the body, on all ranks; never in 3-d
+    bool separate_body = false;
+  };
+
   /// Watches the phase field of a run in the plane for cracks: where they
-  /// start, their paths per step, and what becomes of the body. In 3-d it does
+  /// start, their paths, and what becomes of the body. In 3-d it does
   /// nothing, and the outcome is "not traced". Vectors have ghosts. Collective.
   template <int dim>
   class CrackObserver
@@ -24,24 +33,19 @@ namespace MixedCracks
   public:
     CrackObserver(
       const Fields<dim>                                       &fields,
-      const std::map<std::string, dealii::types::boundary_id> &names,
-      const std::string                                       &directory);
-
-    /// @p length_scale: l, mm. Throws FileError.
-    void open(double length_scale);
-
-    /// Go on with a run, whose files are written anew. @p earlier_rows: its
-    /// path_rows(), which rank 0 needs. Throws FileError.
-    void resume(double                               length_scale,
-                const std::string                   &earlier_rows,
-                const std::vector<dealii::Point<2>> &nuclei,
-                const LinearAlgebra::Vector         &phase_field);
+      const std::map<std::string, dealii::types::boundary_id> &names);
 
     /// To be called when the mesh changed.
     void reinit();
 
     /// The phase field after slits and initial cracks have their profile.
-    void start(const LinearAlgebra::Vector &phase_field);
+    /// Before this, no cracks are found. @p length_scale: l, mm.
+    void start(double length_scale, const LinearAlgebra::Vector &phase_field);
+
+    /// Go on with a run. @p nuclei: those of its origins().
+    void resume(double                               length_scale,
+                const std::vector<dealii::Point<2>> &nuclei,
+                const LinearAlgebra::Vector         &phase_field);
 
     /// A phase field that is predicted within a step.
     void watch(const LinearAlgebra::Vector &phase_field);
@@ -55,35 +59,12 @@ namespace MixedCracks
 
     void take_back(const DamageOrigins &earlier);
 
-    /// crack_path.csv as it is so far; empty on other ranks than 0, and in 3-d.
-    std::string
-    path_rows() const
-    {
-      return file ? file->rows() : "";
-    }
-
-    /// Write the paths of an accepted step; true when they separate the body.
-    /// Throws FileError.
-    bool record(unsigned int                 step,
-                double                       time,         // s
-                double                       displacement, // mm
-                const LinearAlgebra::Vector &phase_field);
-
-    /// Whether the paths of this phase field would separate the body; never
-    /// in 3-d.
-    bool joins_sides(const LinearAlgebra::Vector &phase_field) const;
-
-    /// At the end. Throws FileError.
-    Outcome finish(const LinearAlgebra::Vector &phase_field);
+    TracedCracks trace(const LinearAlgebra::Vector &phase_field) const;
 
   private:
     /// Positions of broken nodes of all ranks not reported since reinit().
     std::vector<dealii::Point<2>>
     newly_broken(const LinearAlgebra::Vector &phase_field);
-
-    /// On rank 0; empty elsewhere.
-    std::vector<Crack> trace(const LinearAlgebra::Vector     &phase_field,
-                             const std::vector<BoundaryEdge> &edges) const;
 
     std::vector<DamagedCell>
     damaged_cells(const LinearAlgebra::Vector &phase_field) const;
@@ -92,10 +73,8 @@ namespace MixedCracks
 
     const Fields<dim>                                &fields;
     std::map<dealii::types::boundary_id, std::string> names;
-    const std::string                                 directory;
     double                                            length_scale = 0.;
     DamageOrigins                                     damage_origins;
-    std::unique_ptr<CrackPathFile>                    file;
 
     // owned nodes of the phase field, and whether they were reported
     std::vector<dealii::Point<dim>> positions;

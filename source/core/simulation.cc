@@ -50,9 +50,8 @@ namespace MixedCracks
         prescribed_points(parameters, dim + (parameters.model.mixed() ? 1 : 0)))
     , load_control(parameters.load)
     , boundary_quantities(fields, constraints, force_boundary_id(parameters))
-    , crack_observer(fields,
-                     parameters.geometry.chosen().boundary_ids(),
-                     parameters.output.directory)
+    , crack_observer(fields, parameters.geometry.chosen().boundary_ids())
+    , crack_path_writer(parameters.output.directory, communicator)
     , crack_opening(fields, parameters.crack_opening.lines())
     , crack_opening_file(parameters.output.directory,
                          crack_opening.lines(),
@@ -187,7 +186,7 @@ namespace MixedCracks
                             : std::numeric_limits<double>::infinity();
         },
         [this](const LinearAlgebra::Vector &phase_field) {
-          return crack_observer.joins_sides(phase_field);
+          return crack_observer.trace(phase_field).separate_body;
         }},
       communicator,
       log);
@@ -248,8 +247,9 @@ namespace MixedCracks
     if (const std::string fault = not_finite(relaxed, row); !fault.empty())
       throw SolverError("the initial state cannot be computed: " + fault);
     prepare_output();
-    crack_observer.open(material->description().length_scale);
-    crack_observer.start(relaxed.phase_field);
+    crack_path_writer.open(material->description().length_scale);
+    crack_observer.start(material->description().length_scale,
+                         relaxed.phase_field);
     crack_opening_file.open();
     record(row, relaxed);
     return relaxed;

@@ -14,7 +14,7 @@ namespace MixedCracks
     const bool   is_again   = resumed->attempt == signature.attempt;
     const auto   has_joined = [&]() {
       return resumed->end == RunEnd::separated ||
-             crack_observer.joins_sides(state.phase_field);
+             crack_observer.trace(state.phase_field).separate_body;
     };
     RunEnd end = RunEnd::none;
     // no parameter that may change would mend it
@@ -121,7 +121,8 @@ namespace MixedCracks
     if (to_be_kept && !in_a_hurry)
       write_checkpoint(last, cost);
     Summary summary = summarize(outcome, cost);
-    summary.cracks  = crack_observer.finish(last.phase_field);
+    summary.cracks  = crack_observer.trace(last.phase_field).outcome;
+    crack_path_writer.finish(summary.cracks);
     if (dim == 2)
       summary.separated = separates(summary.cracks);
     std::string message;

@@ -155,9 +155,9 @@ namespace MixedCracks
       peak_state.reaction.clear(); // which is of no use on another mesh
       peak_step = row.step;
     }
-    const bool joined = crack_observer.record(
-      row.step, row.time, row.displacement, state.phase_field);
-    if (parameters.load.stop_when_separated && joined)
+    const TracedCracks cracks = crack_observer.trace(state.phase_field);
+    crack_path_writer.add(row.step, row.time, row.displacement, cracks.paths);
+    if (parameters.load.stop_when_separated && cracks.separate_body)
       run_end = RunEnd::separated;
     if (load_control.has_fallen(row.force_size()) && run_end == RunEnd::none)
       run_end = RunEnd::force_fell;

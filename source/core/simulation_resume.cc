@@ -35,7 +35,7 @@ namespace MixedCracks
     if (!field_output.has(peak_step))
       write_fields(peak_state, peak_step);
     record.field_files = field_output.records();
-    record.tables      = {{"crack_path.csv", crack_observer.path_rows()},
+    record.tables      = {{"crack_path.csv", crack_path_writer.rows()},
                           {"crack_opening.csv", crack_opening_file.rows()}};
     checkpoint.write(record, state, fields, triangulation);
     note_checkpoint(begin);
@@ -66,10 +66,10 @@ namespace MixedCracks
     deepest_overlap     = resumed->deepest_overlap;
     overlap_in_words    = resumed->overlap_in_words;
     earlier             = resumed->totals;
-    crack_observer.resume(material->description().length_scale,
-                          resumed->tables["crack_path.csv"],
-                          resumed->nuclei,
-                          state.phase_field);
+    crack_observer.resume(
+      material->description().length_scale, resumed->nuclei, state.phase_field);
+    crack_path_writer.restore(material->description().length_scale,
+                              resumed->tables["crack_path.csv"]);
     crack_opening_file.restore(resumed->tables["crack_opening.csv"]);
     field_output.restore(resumed->field_files);
     // a run without fields kept nothing of its peak, and this state is another

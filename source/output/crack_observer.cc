@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include <core/collective.h>
-
 #include <deal.II/base/mpi.h>
 
 #include <output/crack_observer.h>
@@ -42,54 +40,11 @@ namespace MixedCracks
   template <int dim>
   CrackObserver<dim>::CrackObserver(
     const Fields<dim>                               &fields,
-    const std::map<std::string, types::boundary_id> &ids,
-    const std::string                               &directory)
+    const std::map<std::string, types::boundary_id> &ids)
     : fields(fields)
-    , directory(directory)
   {
     for (const auto &[name, id] : ids)
       names[id] = name;
-  }
-
-
-
-  template <int dim>
-  void
-  CrackObserver<dim>::open(const double length)
-  {
-    length_scale   = length;
-    damage_origins = DamageOrigins(reach * length);
-    std::string message;
-    if (dim == 2 &&
-        Utilities::MPI::this_mpi_process(fields.communicator()) == 0)
-    {
-      file    = std::make_unique<CrackPathFile>(directory, 0.1 * length);
-      message = file->open();
-    }
-    throw_on_all_ranks(message, fields.communicator());
-  }
-
-
-
-  template <int dim>
-  void
-  CrackObserver<dim>::resume(const double                 length,
-                             const std::string           &earlier_rows,
-                             const std::vector<Point<2>> &nuclei,
-                             const Vector                &phase_field)
-  {
-    length_scale   = length;
-    damage_origins = DamageOrigins(reach * length);
-    start(phase_field);
-    damage_origins.restore(nuclei);
-    std::string message;
-    if (dim == 2 &&
-        Utilities::MPI::this_mpi_process(fields.communicator()) == 0)
-    {
-      file    = std::make_unique<CrackPathFile>(directory, 0.1 * length);
-      message = file->restore(earlier_rows);
-    }
-    throw_on_all_ranks(message, fields.communicator());
   }
 
 
@@ -143,9 +98,23 @@ namespace MixedCracks
 
   template <int dim>
   void
-  CrackObserver<dim>::start(const Vector &phase_field)
+  CrackObserver<dim>::start(const double length, const Vector &phase_field)
   {
+    length_scale   = length;
+    damage_origins = DamageOrigins(reach * length);
     damage_origins.add_initial(newly_broken(phase_field));
+  }
+
+
+
+  template <int dim>
+  void
+  CrackObserver<dim>::resume(const double                 length,
+                             const std::vector<Point<2>> &nuclei,
+                             const Vector                &phase_field)
+  {
+    start(length, phase_field);
+    damage_origins.restore(nuclei);
   }
 
 
@@ -249,76 +218,30 @@ namespace MixedCracks
 
 
   template <int dim>
-  std::vector<Crack>
-  CrackObserver<dim>::trace(const Vector                    &phase_field,
-                            const std::vector<BoundaryEdge> &edges) const
+  TracedCracks
+  CrackObserver<dim>::trace(const Vector &phase_field) const
   {
-    const std::vector<DamagedCell> cells = damaged_cells(phase_field);
-    if (cells.empty())
-      return {};
-    CrackPathOptions options;
-    options.length_scale = length_scale;
-    options.nuclei       = damage_origins.nuclei();
-    return trace_cracks(cells, edges, options);
-  }
-
-
-
-  template <int dim>
-  bool
-  CrackObserver<dim>::record(const unsigned int step,
-                             const double       time,
-                             const double       displacement,
-                             const Vector      &phase_field)
-  {
-    const std::vector<BoundaryEdge> edges    = boundary_edges();
-    const std::vector<Crack>        cracks   = trace(phase_field, edges);
-    int                             is_apart = 0;
-    std::string                     message;
-    if (file)
-    {
-      is_apart = separates(
-        classify(cracks, edges, damage_origins.nuclei(), length_scale));
-      message = file->add(step, time, displacement, cracks);
-    }
-    throw_on_all_ranks(message, fields.communicator());
-    return Utilities::MPI::max(is_apart, fields.communicator()) > 0;
-  }
-
-
-
-  template <int dim>
-  bool
-  CrackObserver<dim>::joins_sides(const Vector &phase_field) const
-  {
-    const std::vector<BoundaryEdge> edges  = boundary_edges();
-    const std::vector<Crack>        cracks = trace(phase_field, edges);
-    // rank 0 knows
-    const int is_apart =
-      file &&
-      separates(classify(cracks, edges, damage_origins.nuclei(), length_scale));
-    return Utilities::MPI::max(is_apart, fields.communicator()) > 0;
-  }
-
-
-
-  template <int dim>
-  Outcome
-  CrackObserver<dim>::finish(const Vector &phase_field)
-  {
-    const std::vector<BoundaryEdge> edges  = boundary_edges();
-    const std::vector<Crack>        cracks = trace(phase_field, edges);
-    Outcome                         outcome;
-    std::string                     message;
+    TracedCracks traced;
     if (dim == 3)
-      outcome = {not_traced, not_traced};
-    if (file)
+      traced.outcome = {not_traced, not_traced};
+    if (dim == 3 || length_scale == 0.) // not started
+      return traced;
+    const MPI_Comm                  communicator = fields.communicator();
+    const std::vector<BoundaryEdge> edges        = boundary_edges();
+    const std::vector<DamagedCell>  cells        = damaged_cells(phase_field);
+    if (Utilities::MPI::this_mpi_process(communicator) == 0)
     {
-      outcome = classify(cracks, edges, damage_origins.nuclei(), length_scale);
-      message = file->finish(outcome);
+      CrackPathOptions options;
+      options.length_scale = length_scale;
+      options.nuclei       = damage_origins.nuclei();
+      if (!cells.empty())
+        traced.paths = trace_cracks(cells, edges, options);
+      traced.outcome =
+        classify(traced.paths, edges, options.nuclei, length_scale);
     }
-    throw_on_all_ranks(message, fields.communicator());
-    return outcome;
+    const int are_separate = separates(traced.outcome) ? 1 : 0;
+    traced.separate_body = Utilities::MPI::max(are_separate, communicator) > 0;
+    return traced;
   }
 
 

@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include <core/collective.h>
+
+#include <deal.II/base/mpi.h>
+
+#include <output/crack_path_writer.h>
+
+namespace MixedCracks
+{
+  template <int dim>
+  CrackPathWriter<dim>::CrackPathWriter(const std::string &directory,
+                                        const MPI_Comm     communicator)
+    : directory(directory)
+    , communicator(communicator)
+  {}
+
+
+
+  template <int dim>
+  void
+  CrackPathWriter<dim>::make_file(const double length_scale)
+  {
+    if (dim == 2 && dealii::Utilities::MPI::this_mpi_process(communicator) == 0)
+      file = std::make_unique<CrackPathFile>(directory, 0.1 * length_scale);
+  }
+
+
+
+  template <int dim>
+  void
+  CrackPathWriter<dim>::open(const double length_scale)
+  {
+    make_file(length_scale);
+    throw_on_all_ranks(file ? file->open() : "", communicator);
+  }
+
+
+
+  template <int dim>
+  void
+  CrackPathWriter<dim>::restore(const double       length_scale,
+                                const std::string &earlier)
+  {
+    make_file(length_scale);
+    throw_on_all_ranks(file ? file->restore(earlier) : "", communicator);
+  }
+
+
+
+  template <int dim>
+  void
+  CrackPathWriter<dim>::add(const unsigned int        step,
+                            const double              time,
+                            const double              displacement,
+                            const std::vector<Crack> &cracks)
+  {
+    throw_on_all_ranks(file ? file->add(step, time, displacement, cracks) : "",
+                       communicator);
+  }
+
+
+
+  template <int dim>
+  void
+  CrackPathWriter<dim>::finish(const Outcome &outcome)
+  {
+    throw_on_all_ranks(file ? file->finish(outcome) : "", communicator);
+  }
+
+
+
+  template class CrackPathWriter<2>;
+  template class CrackPathWriter<3>;
+} // namespace MixedCracks
