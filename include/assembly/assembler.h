@@ -5,6 +5,7 @@
 #include <assembly/cell_table.h>
 #include <assembly/constants_table.h>
 #include <assembly/elastic_kernel.h>
+#include <assembly/elastic_tangent.h>
 #include <assembly/phase_field_kernel.h>
 
 #include <deal.II/base/function.h>
@@ -155,13 +156,6 @@ namespace MixedCracks
                        unsigned int   index,
                        CellData<dim> &data) const;
 
-    /// Distance of the present state to that of the last matrix.
-    void compare_tangent(unsigned int       cell,
-                         ElasticAssessment &assessment) const;
-
-    /// Owned cells whose part of the matrix is another one now.
-    std::vector<unsigned int> changed_cells() const;
-
     const Fields<dim>           &fields;
     const Material<dim>         &material;
     const ConstantsFunction<dim> constants_at;
@@ -179,11 +173,8 @@ namespace MixedCracks
     std::vector<dealii::types::global_dof_index> elastic_indices;
     std::vector<dealii::types::global_dof_index> phase_field_indices;
 
-    // states of the last residual and of the last matrix, by owned cell and
-    // quadrature point
-    std::vector<ElasticPoint<dim>> present;
-    std::vector<ElasticPoint<dim>> of_matrix;
-    unsigned int                   n_corrections; // of the matrix, in a row
+    // states of the last residual and of the last matrix
+    ElasticTangent<dim> tangent;
   };
 } // namespace MixedCracks
 

@@ -3,33 +3,12 @@
 
 #include <deal.II/base/mpi.h>
 
-#include <algorithm>
 #include <cmath>
-#include <limits>
 #include <numeric>
 
 namespace MixedCracks
 {
   using namespace dealii;
-
-  namespace
-  {
-    // Above this part of changed cells a new matrix is less work than
-    // correcting the old one, which evaluates changed cells twice ...
-    constexpr double largest_changed_part = 0.25;
-    // ... and once in a while rounding is swept out.
-    constexpr unsigned int most_corrections = 50;
-
-    template <int dim>
-    bool
-    same_tangent(const ElasticPoint<dim> &a, const ElasticPoint<dim> &b)
-    {
-      return a.degradation == b.degradation && a.branch == b.branch &&
-             a.branch >= 0;
-    }
-  } // namespace
-
-
 
   template <int dim>
   Assembler<dim>::Assembler(const Fields<dim>     &fields,
@@ -60,12 +39,7 @@ namespace MixedCracks
     cells     = std::make_unique<CellTable<dim>>(fields);
     constants = std::make_unique<ConstantsTable<dim>>(
       fields, material.uniform_constants(), constants_at);
-    present.resize(cells->n_cells() * fields.quadrature.size());
-    of_matrix.resize(present.size());
-    // no degradation is as far off as this one
-    for (ElasticPoint<dim> &point : of_matrix)
-      point = {{}, 0., std::numeric_limits<double>::max(), -1};
-    n_corrections = most_corrections;
+    tangent.reinit(cells->n_cells(), fields.quadrature.size());
   }
 
 
@@ -87,27 +61,6 @@ namespace MixedCracks
 
 
   template <int dim>
-  void
-  Assembler<dim>::compare_tangent(const unsigned int cell,
-                                  ElasticAssessment &assessment) const
-  {
-    const std::size_t n = fields.quadrature.size();
-    for (std::size_t at = cell * n; at < (cell + 1) * n; ++at)
-    {
-      const ElasticPoint<dim> &now = present[at], &then = of_matrix[at];
-      assessment.degradation_change =
-        std::max(assessment.degradation_change,
-                 std::abs(now.degradation - then.degradation) /
-                   std::max(std::min(now.degradation, then.degradation),
-                            std::numeric_limits<double>::min()));
-      if (now.branch < 0 || now.branch != then.branch)
-        assessment.branch_changes += 1.;
-    }
-  }
-
-
-
-  template <int dim>
   ElasticAssessment
   Assembler<dim>::elastic_residual(const Vector      &elastic,
                                    const Vector      &lagged_phase_field,
@@ -115,21 +68,19 @@ namespace MixedCracks
                                    Vector            &residual)
   {
     cells->elastic.begin_sum(residual);
-    ElasticAssessment      assessment{0., 0., 0., 0.};
+    double                 displacement_scale = 0., pressure_scale = 0.;
+    TangentDistance        distance;
     dealii::Vector<double> local(local_elastic.size());
-    const std::size_t      n = fields.quadrature.size();
     for (unsigned int cell = 0; cell < cells->n_cells(); ++cell)
     {
       load_elastic(
         cell, elastic, lagged_phase_field, ElasticEvaluation::stresses);
-      std::copy(elastic_kernel.points().begin(),
-                elastic_kernel.points().end(),
-                present.begin() + cell * n);
+      tangent.set_present(cell, elastic_kernel.points());
+      tangent.compare(cell, distance);
       elastic_kernel.residual(local);
       const auto [displacement, pressure] = elastic_kernel.squared_scale();
-      assessment.displacement_scale += displacement;
-      assessment.pressure_scale += pressure;
-      compare_tangent(cell, assessment);
+      displacement_scale += displacement;
+      pressure_scale += pressure;
       cells->elastic.add(cell, local, constraints, residual);
     }
     cells->elastic.end_sum(residual);
@@ -138,28 +89,10 @@ namespace MixedCracks
     const auto     sum          = [&](const double value) {
       return Utilities::MPI::sum(value, communicator);
     };
-    return {std::sqrt(sum(assessment.displacement_scale)),
-            std::sqrt(sum(assessment.pressure_scale)),
-            Utilities::MPI::max(assessment.degradation_change, communicator),
-            sum(assessment.branch_changes)};
-  }
-
-
-
-  template <int dim>
-  std::vector<unsigned int>
-  Assembler<dim>::changed_cells() const
-  {
-    const std::size_t         n = fields.quadrature.size();
-    std::vector<unsigned int> result;
-    for (unsigned int cell = 0; cell < cells->n_cells(); ++cell)
-      for (std::size_t at = cell * n; at < (cell + 1) * n; ++at)
-        if (!same_tangent(present[at], of_matrix[at]))
-        {
-          result.push_back(cell);
-          break;
-        }
-    return result;
+    return {std::sqrt(sum(displacement_scale)),
+            std::sqrt(sum(pressure_scale)),
+            Utilities::MPI::max(distance.degradation, communicator),
+            sum(distance.branches)};
   }
 
 
@@ -169,14 +102,12 @@ namespace MixedCracks
   Assembler<dim>::elastic_matrix(const Constraints           &constraints,
                                  LinearAlgebra::SparseMatrix &matrix)
   {
-    std::vector<unsigned int> changed = changed_cells();
+    std::vector<unsigned int> changed = tangent.changed_cells();
     const double              n_changed =
       Utilities::MPI::sum(1. * changed.size(), fields.communicator());
     const double n_active =
       fields.elastic.get_triangulation().n_global_active_cells();
-    const bool correct = n_corrections < most_corrections &&
-                         n_changed < largest_changed_part * n_active;
-    n_corrections = correct ? n_corrections + 1 : 0;
+    const bool correct = tangent.is_to_be_corrected(n_changed, n_active);
     if (!correct)
     {
       matrix = 0.;
@@ -185,16 +116,15 @@ namespace MixedCracks
     }
     FullMatrix<double> local(local_elastic.size(), local_elastic.size());
     FullMatrix<double> old(local);
-    const std::size_t  n = fields.quadrature.size();
     for (const unsigned int cell : changed)
     {
       elastic_kernel.reinit(cells->geometry(cell), (*constants)[cell]);
       if (correct)
       {
-        elastic_kernel.set_points(&of_matrix[cell * n]);
+        elastic_kernel.set_points(tangent.of_matrix(cell));
         elastic_kernel.jacobian(old);
       }
-      elastic_kernel.set_points(&present[cell * n]);
+      elastic_kernel.set_points(tangent.present(cell));
       elastic_kernel.jacobian(local);
       if (correct)
         local.add(-1., old);
@@ -202,7 +132,24 @@ namespace MixedCracks
       constraints.distribute_local_to_global(local, elastic_indices, matrix);
     }
     matrix.compress(VectorOperation::add);
-    of_matrix = present;
+    tangent.note_matrix(correct);
+  }
+
+
+
+  template <int dim>
+  void
+  Assembler<dim>::visit_tangents(
+    const std::function<void(unsigned int,
+                             const CellGeometry<dim> &,
+                             const std::vector<ElasticResponse<dim>> &)> &body)
+  {
+    for (unsigned int cell = 0; cell < cells->n_cells(); ++cell)
+    {
+      elastic_kernel.reinit(cells->geometry(cell), (*constants)[cell]);
+      elastic_kernel.set_points(tangent.of_matrix(cell));
+      body(cell, cells->geometry(cell), elastic_kernel.point_responses());
+    }
   }
 
 
@@ -225,8 +172,8 @@ namespace MixedCracks
     {
       const CellConstants at = (*constants)[cell];
       for (unsigned int q = 0; q < driving_force.size(); ++q)
-        driving_force[q] = elastic_kernel.driving_force(
-          present[cell * driving_force.size() + q], at[q]);
+        driving_force[q] =
+          elastic_kernel.driving_force(tangent.present(cell)[q], at[q]);
       phase_field_kernel.reinit(cells->geometry(cell), at);
       cells->phase_field.read(cell, phase_field, local_phase_field);
       phase_field_kernel.set_state(local_phase_field, driving_force);
@@ -265,6 +212,24 @@ namespace MixedCracks
 
 
   template <int dim>
+  void
+  Assembler<dim>::lumped_toughness(const Constraints &constraints,
+                                   Vector            &toughness)
+  {
+    cells->phase_field.begin_sum(toughness);
+    dealii::Vector<double> local(local_phase_field.size());
+    for (unsigned int cell = 0; cell < cells->n_cells(); ++cell)
+    {
+      phase_field_kernel.reinit(cells->geometry(cell), (*constants)[cell]);
+      phase_field_kernel.lumped_toughness(local);
+      cells->phase_field.add(cell, local, constraints, toughness);
+    }
+    cells->phase_field.end_sum(toughness);
+  }
+
+
+
+  template <int dim>
   Energies
   Assembler<dim>::energies(const Vector &elastic,
                            const Vector &lagged_phase_field,
@@ -289,6 +254,34 @@ namespace MixedCracks
     sum.crack         = Utilities::MPI::sum(sum.crack, communicator);
     sum.crack_surface = Utilities::MPI::sum(sum.crack_surface, communicator);
     return sum;
+  }
+
+
+
+  template <int dim>
+  void
+  Assembler<dim>::add_constants(const unsigned int cell,
+                                const unsigned int index,
+                                CellData<dim>     &data) const
+  {
+    const CellGeometry<dim> &geometry = cells->geometry(cell);
+    const CellConstants      at       = (*constants)[cell];
+    PointConstants           sum{0., 0., 0.};
+    for (unsigned int q = 0; q < geometry.weights.size(); ++q)
+    {
+      sum.lambda += at[q].lambda * geometry.weights[q];
+      sum.mu += at[q].mu * geometry.weights[q];
+      sum.critical_energy_release_rate +=
+        at[q].critical_energy_release_rate * geometry.weights[q];
+    }
+    const double       volume = geometry.volume();
+    const unsigned int n = fields.elastic.get_triangulation().n_active_cells();
+    data.set("lame_lambda", n, index, sum.lambda / volume);
+    data.set("shear_modulus", n, index, sum.mu / volume);
+    data.set("critical_energy_release_rate",
+             n,
+             index,
+             sum.critical_energy_release_rate / volume);
   }
 
 

@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include <assembly/elastic_tangent.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace MixedCracks
+{
+  namespace
+  {
+    // Above this part of changed cells a new matrix is less work than
+    // correcting the old one, which evaluates changed cells twice ...
+    constexpr double largest_changed_part = 0.25;
+    // ... and once in a while rounding is swept out.
+    constexpr unsigned int most_corrections = 50;
+
+    template <int dim>
+    bool
+    same_tangent(const ElasticPoint<dim> &a, const ElasticPoint<dim> &b)
+    {
+      return a.degradation == b.degradation && a.branch == b.branch &&
+             a.branch >= 0;
+    }
+  } // namespace
+
+
+
+  template <int dim>
+  void
+  ElasticTangent<dim>::reinit(const unsigned int n_cells,
+                              const unsigned int n_points_per_cell)
+  {
+    n_points = n_points_per_cell;
+    states.resize(std::size_t(n_cells) * n_points);
+    // no degradation is as far off as this one
+    matrix_states.assign(states.size(),
+                         {{}, 0., std::numeric_limits<double>::max(), -1});
+    n_corrections = most_corrections;
+  }
+
+
+
+  template <int dim>
+  void
+  ElasticTangent<dim>::set_present(const unsigned int                    cell,
+                                   const std::vector<ElasticPoint<dim>> &points)
+  {
+    std::copy(points.begin(),
+              points.end(),
+              states.begin() + std::size_t(cell) * n_points);
+  }
+
+
+
+  template <int dim>
+  void
+  ElasticTangent<dim>::compare(const unsigned int cell,
+                               TangentDistance   &distance) const
+  {
+    const ElasticPoint<dim> *now = present(cell), *then = of_matrix(cell);
+    for (unsigned int q = 0; q < n_points; ++q)
+    {
+      distance.degradation =
+        std::max(distance.degradation,
+                 std::abs(now[q].degradation - then[q].degradation) /
+                   std::max(std::min(now[q].degradation, then[q].degradation),
+                            std::numeric_limits<double>::min()));
+      if (now[q].branch < 0 || now[q].branch != then[q].branch)
+        distance.branches += 1.;
+    }
+  }
+
+
+
+  template <int dim>
+  std::vector<unsigned int>
+  ElasticTangent<dim>::changed_cells() const
+  {
+    std::vector<unsigned int> result;
+    for (std::size_t at = 0; at < states.size(); at += n_points)
+      if (!std::equal(states.begin() + at,
+                      states.begin() + at + n_points,
+                      matrix_states.begin() + at,
+                      same_tangent<dim>))
+        result.push_back(at / n_points);
+    return result;
+  }
+
+
+
+  template <int dim>
+  bool
+  ElasticTangent<dim>::is_to_be_corrected(const double n_changed,
+                                          const double n_cells) const
+  {
+    return n_corrections < most_corrections &&
+           n_changed < largest_changed_part * n_cells;
+  }
+
+
+
+  template <int dim>
+  void
+  ElasticTangent<dim>::note_matrix(const bool was_corrected)
+  {
+    matrix_states = states;
+    n_corrections = was_corrected ? n_corrections + 1 : 0;
+  }
+
+
+
+  template class ElasticTangent<2>;
+  template class ElasticTangent<3>;
+} // namespace MixedCracks
