@@ -1,18 +1,20 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include <core/case_signature.h>
-#include <core/collective.h>
-#include <core/command_line.h>
-#include <core/dimension.h>
-#include <core/parameter_file.h>
-#include <core/parameter_manual.h>
-#include <core/simulation.h>
-#include <core/single_process.h>
-#include <core/stop_request.h>
-#include <core/version.h>
+#include <base/collective.h>
+#include <base/single_process.h>
+#include <base/stop_request.h>
+#include <base/version.h>
+
+#include <input/case_signature.h>
+#include <input/command_line.h>
+#include <input/dimension.h>
+#include <input/parameter_file.h>
+#include <input/parameter_manual.h>
 
 #include <output/directory.h>
 #include <output/disk.h>
 #include <output/run_lock.h>
+
+#include <simulation/simulation.h>
 
 #include <Trilinos_version.h>
 

@@ -2,7 +2,7 @@
 #ifndef mixed_cracks_discretization_adaptation_h
 #define mixed_cracks_discretization_adaptation_h
 
-#include <core/linear_algebra.h>
+#include <base/linear_algebra.h>
 
 #include <deal.II/distributed/tria.h>
 

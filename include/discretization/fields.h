@@ -2,7 +2,7 @@
 #ifndef mixed_cracks_discretization_fields_h
 #define mixed_cracks_discretization_fields_h
 
-#include <core/linear_algebra.h>
+#include <base/linear_algebra.h>
 
 #include <deal.II/base/index_set.h>
 #include <deal.II/base/quadrature.h>

@@ -2,7 +2,7 @@
 #ifndef mixed_cracks_discretization_slit_faces_h
 #define mixed_cracks_discretization_slit_faces_h
 
-#include <core/flat_piece.h>
+#include <base/flat_piece.h>
 
 #include <deal.II/grid/tria.h>
 

@@ -2,7 +2,7 @@
 #ifndef mixed_cracks_model_crack_density_h
 #define mixed_cracks_model_crack_density_h
 
-#include <core/registry.h>
+#include <base/registry.h>
 
 #include <algorithm>
 

@@ -2,7 +2,7 @@
 #ifndef mixed_cracks_model_energy_split_h
 #define mixed_cracks_model_energy_split_h
 
-#include <core/registry.h>
+#include <base/registry.h>
 
 #include <deal.II/base/symmetric_tensor.h>
 

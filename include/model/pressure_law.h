@@ -2,7 +2,7 @@
 #ifndef mixed_cracks_model_pressure_law_h
 #define mixed_cracks_model_pressure_law_h
 
-#include <core/registry.h>
+#include <base/registry.h>
 
 namespace MixedCracks
 {

@@ -2,11 +2,10 @@
 #ifndef mixed_cracks_output_checkpoint_fields_h
 #define mixed_cracks_output_checkpoint_fields_h
 
-#include <core/state.h>
-
 #include <deal.II/distributed/tria.h>
 
 #include <discretization/fields.h>
+#include <discretization/state.h>
 
 #include <cstdint>
 #include <string>

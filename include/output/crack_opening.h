@@ -2,7 +2,7 @@
 #ifndef mixed_cracks_output_crack_opening_h
 #define mixed_cracks_output_crack_opening_h
 
-#include <core/linear_algebra.h>
+#include <base/linear_algebra.h>
 
 #include <discretization/fields.h>
 

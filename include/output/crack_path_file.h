@@ -2,8 +2,8 @@
 #ifndef mixed_cracks_output_crack_path_file_h
 #define mixed_cracks_output_crack_path_file_h
 
-#include <output/crack_outcome.h>
-#include <output/crack_path.h>
+#include <cracks/crack_outcome.h>
+#include <cracks/crack_path.h>
 
 #include <string>
 #include <utility>

@@ -2,7 +2,7 @@
 #ifndef mixed_cracks_output_crack_path_vtp_h
 #define mixed_cracks_output_crack_path_vtp_h
 
-#include <output/crack_path.h>
+#include <cracks/crack_path.h>
 
 #include <string>
 #include <vector>

@@ -2,11 +2,10 @@
 #ifndef mixed_cracks_output_field_output_h
 #define mixed_cracks_output_field_output_h
 
-#include <core/state.h>
-
 #include <deal.II/lac/vector.h>
 
 #include <discretization/fields.h>
+#include <discretization/state.h>
 
 #include <output/xdmf_output.h>
 

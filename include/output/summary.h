@@ -2,7 +2,8 @@
 #ifndef mixed_cracks_output_summary_h
 #define mixed_cracks_output_summary_h
 
-#include <output/crack_outcome.h>
+#include <cracks/crack_outcome.h>
+
 #include <output/statistics.h>
 
 #include <map>

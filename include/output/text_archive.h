@@ -2,7 +2,7 @@
 #ifndef mixed_cracks_output_text_archive_h
 #define mixed_cracks_output_text_archive_h
 
-#include <core/errors.h>
+#include <base/errors.h>
 
 #include <deal.II/base/point.h>
 

@@ -2,8 +2,8 @@
 #ifndef mixed_cracks_problem_geometry_h
 #define mixed_cracks_problem_geometry_h
 
-#include <core/flat_piece.h>
-#include <core/registry.h>
+#include <base/flat_piece.h>
+#include <base/registry.h>
 
 #include <deal.II/base/bounding_box.h>
 #include <deal.II/base/parameter_handler.h>

@@ -2,7 +2,7 @@
 #ifndef mixed_cracks_problem_initial_cracks_h
 #define mixed_cracks_problem_initial_cracks_h
 
-#include <core/expression.h>
+#include <base/expression.h>
 
 #include <deal.II/base/parameter_handler.h>
 

@@ -2,7 +2,7 @@
 #ifndef mixed_cracks_problem_material_field_h
 #define mixed_cracks_problem_material_field_h
 
-#include <core/expression.h>
+#include <base/expression.h>
 
 #include <deal.II/base/point.h>
 

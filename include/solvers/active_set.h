@@ -2,8 +2,8 @@
 #ifndef mixed_cracks_solvers_active_set_h
 #define mixed_cracks_solvers_active_set_h
 
-#include <core/linear_algebra.h>
-#include <core/stop_request.h>
+#include <base/linear_algebra.h>
+#include <base/stop_request.h>
 
 #include <solvers/free_block_preconditioner.h>
 

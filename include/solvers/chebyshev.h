@@ -2,7 +2,7 @@
 #ifndef mixed_cracks_solvers_chebyshev_h
 #define mixed_cracks_solvers_chebyshev_h
 
-#include <core/linear_algebra.h>
+#include <base/linear_algebra.h>
 
 #include <vector>
 

@@ -2,7 +2,7 @@
 #ifndef mixed_cracks_solvers_free_block_preconditioner_h
 #define mixed_cracks_solvers_free_block_preconditioner_h
 
-#include <core/linear_algebra.h>
+#include <base/linear_algebra.h>
 
 #include <solvers/multigrid.h>
 

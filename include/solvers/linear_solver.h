@@ -2,9 +2,9 @@
 #ifndef mixed_cracks_solvers_linear_solver_h
 #define mixed_cracks_solvers_linear_solver_h
 
-#include <core/linear_algebra.h>
-#include <core/registry.h>
-#include <core/stop_request.h>
+#include <base/linear_algebra.h>
+#include <base/registry.h>
+#include <base/stop_request.h>
 
 #include <functional>
 #include <memory>

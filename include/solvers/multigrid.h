@@ -2,7 +2,7 @@
 #ifndef mixed_cracks_solvers_multigrid_h
 #define mixed_cracks_solvers_multigrid_h
 
-#include <core/linear_algebra.h>
+#include <base/linear_algebra.h>
 
 #include <Epetra_CrsMatrix.h>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include <assembly/assembler.h>
 
-#include <core/collective.h>
+#include <base/collective.h>
 
 #include <deal.II/base/quadrature_lib.h>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include <assembly/fluid_assembler.h>
 
-#include <core/collective.h>
+#include <base/collective.h>
 
 namespace MixedCracks
 {

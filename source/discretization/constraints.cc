@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include <core/collective.h>
-#include <core/compat.h>
-#include <core/errors.h>
+#include <base/collective.h>
+#include <base/compat.h>
+#include <base/errors.h>
 
 #include <deal.II/numerics/vector_tools.h>
 

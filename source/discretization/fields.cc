@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include <core/compat.h>
-
-#include <discretization/fields.h>
+#include <base/compat.h>
 
 #include <deal.II/base/quadrature_lib.h>
 
 #include <deal.II/dofs/dof_tools.h>
+
+#include <discretization/fields.h>
 
 namespace MixedCracks
 {

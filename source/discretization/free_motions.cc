@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include <core/log.h>
-#include <core/names.h>
+#include <base/log.h>
+#include <base/names.h>
 
 #include <deal.II/base/mpi.h>
 

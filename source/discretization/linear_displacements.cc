@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include <core/compat.h>
+#include <base/compat.h>
 
 #include <deal.II/base/geometry_info.h>
 

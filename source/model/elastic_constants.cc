@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include <model/elastic_constants.h>
+#include <base/errors.h>
 
-#include <core/errors.h>
+#include <model/elastic_constants.h>
 
 #include <array>
 #include <cmath>

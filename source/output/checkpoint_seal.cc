@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include <core/errors.h>
+#include <base/errors.h>
 
 #include <output/checkpoint_seal.h>
 #include <output/disk.h>

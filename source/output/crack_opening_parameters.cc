@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include <core/errors.h>
-#include <core/text.h>
+#include <base/errors.h>
+#include <base/text.h>
 
 #include <deal.II/base/patterns.h>
 

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include <core/finite_text.h>
+#include <base/finite_text.h>
+
+#include <cracks/crack_path_parts.h>
 
 #include <output/crack_path_file.h>
-#include <output/crack_path_parts.h>
 #include <output/crack_path_vtp.h>
 #include <output/run_files.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include <core/collective.h>
+#include <base/collective.h>
 
 #include <deal.II/base/mpi.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include <core/log.h>
+#include <base/log.h>
 
 #include <output/energy_balance.h>
 

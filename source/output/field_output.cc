@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include <core/collective.h>
-#include <core/errors.h>
+#include <base/collective.h>
+#include <base/errors.h>
 
 #include <deal.II/numerics/data_out.h>
 

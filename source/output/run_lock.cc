@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include <core/errors.h>
+#include <base/errors.h>
 
-#include <fcntl.h>
 #include <output/run_lock.h>
 #include <output/run_lock_holder.h>
+
+#include <fcntl.h>
 #include <sys/file.h>
 #include <sys/stat.h>
 #include <unistd.h>

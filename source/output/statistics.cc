@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include <core/collective.h>
-#include <core/finite_text.h>
+#include <base/collective.h>
+#include <base/finite_text.h>
 
 #include <deal.II/base/mpi.h>
 

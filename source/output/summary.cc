@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include <core/finite_text.h>
+#include <base/finite_text.h>
 
 #include <output/disk.h>
 #include <output/summary.h>

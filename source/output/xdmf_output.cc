@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include <core/collective.h>
-#include <core/errors.h>
-#include <core/log.h>
+#include <base/collective.h>
+#include <base/errors.h>
+#include <base/log.h>
 
 #include <output/disk.h>
 #include <output/run_files.h>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include <core/errors.h>
-#include <core/names.h>
-#include <core/text.h>
+#include <base/errors.h>
+#include <base/names.h>
+#include <base/text.h>
 
 #include <deal.II/base/patterns.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include <core/expression.h>
+#include <base/expression.h>
 
 #include <deal.II/base/patterns.h>
 

@@ -1,5 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include <core/dimension.h>
+#include <deal.II/base/patterns.h>
+
+#include <input/dimension.h>
+
 #include <problem/geometries/l_shape.h>
 #include <problem/geometries/mesh_file.h>
 #include <problem/geometries/punctured_strip.h>
@@ -7,8 +10,6 @@
 #include <problem/geometries/rectangle.h>
 #include <problem/geometries/slit_square.h>
 #include <problem/geometry.h>
-
-#include <deal.II/base/patterns.h>
 
 #include <algorithm>
 #include <cctype>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include <core/text.h>
+#include <base/text.h>
 
 #include <problem/grid_data.h>
 

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include <core/errors.h>
-#include <problem/mesh_parameters.h>
+#include <base/errors.h>
 
 #include <deal.II/base/patterns.h>
+
+#include <problem/mesh_parameters.h>
 
 namespace MixedCracks
 {

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include <core/errors.h>
-#include <core/names.h>
-#include <core/text.h>
-#include <problem/geometries/checks.h>
-#include <problem/refined_regions.h>
+#include <base/errors.h>
+#include <base/names.h>
+#include <base/text.h>
 
 #include <deal.II/base/patterns.h>
+
+#include <problem/geometries/checks.h>
+#include <problem/refined_regions.h>
 
 #include <algorithm>
 #include <cmath>

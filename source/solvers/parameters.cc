@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include <core/errors.h>
-#include <core/log.h>
-#include <core/names.h>
+#include <base/errors.h>
+#include <base/log.h>
+#include <base/names.h>
 
 #include <deal.II/base/patterns.h>
 

@@ -16,7 +16,7 @@
 //   --tolerance 1e-8  --random (right hand side)
 #include "measurement.h"
 
-#include <core/log.h>
+#include <base/log.h>
 
 #include <solvers/direct_solver.h>
 #include <solvers/mumps.h>

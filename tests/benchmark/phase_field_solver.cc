@@ -10,7 +10,7 @@
 // Uniform meshes, from 1/smallest mm in so many halvings.
 #include "measurement.h"
 
-#include <core/log.h>
+#include <base/log.h>
 
 #include <solvers/active_set.h>
 

@@ -5,8 +5,10 @@
     tests/house/check_house.py [directory of the project]
 
 Room arrows, mirrored headers, file sizes, licence lines, and formatting when
-clang-format 14 is there. Prints every offence; exit status 1 when there is one.
+clang-format 14 is there. Prints the table of rooms and every offence; exit
+status 1 when there is one.
 """
+import collections
 import glob
 import os
 import re
@@ -14,60 +16,30 @@ import shutil
 import subprocess
 import sys
 
-ROOMS = ("core", "model", "problem", "discretization", "assembly", "solvers",
-         "output")
-# What a room may include besides itself. "base" are the files of core that
-# know nothing of the rest.
-BASE = ("registry", "errors", "names")
+# What a room may include besides itself; main.cc may include everything.
 ALLOWED = {
+    "simulation": ("steps", "output", "cracks", "problem", "assembly", "solvers",
+                   "discretization", "model", "input", "base"),
+    "steps": ("assembly", "solvers", "discretization", "model", "base"),
+    "output": ("cracks", "assembly", "discretization", "model", "base"),
+    "cracks": ("discretization", "base"),
+    "problem": ("input", "model", "discretization", "base"),
+    "assembly": ("model", "discretization", "base"),
+    "solvers": ("base",),
+    "discretization": ("base",),
     "model": ("base",),
-    "problem": ("model", "core"),
-    "discretization": ("core",),
-    "assembly": ("model", "discretization", "core"),
-    "solvers": ("core",),
-    "output": ("model", "discretization", "core"),
-    "core": (),
+    "input": ("base",),
+    "base": (),
 }
-# The hall: these files of core see everything.
-HALL = ("simulation", "step")
+MAIN = "main.cc"
 LARGEST_FILE = 400
 LICENCE = "SPDX-License-Identifier: GPL-2.0-or-later"
 INCLUDE = re.compile(r'^\s*#\s*include\s*[<"]([a-z_]+)/([A-Za-z0-9_/.]+)[>"]')
 
 
-def is_hall(name):
-    return any(name == word or name.startswith((word + "_", word + "."))
-               for word in HALL)
-
-
-def is_parameters(name):
-    return name.startswith("parameters")
-
-
-def holds_parameters(path):
-    """Whether a header declares a parameter structure."""
-    try:
-        with open(path, encoding="utf-8", errors="replace") as stream:
-            return "add_parameters" in stream.read()
-    except OSError:
-        return False
-
-
-def allowed(room, name, target, target_name, with_parameters=False):
-    """Whether the file `name` of `room` may include `target/target_name`, a
-    header that declares parameters or not."""
-    stem = os.path.splitext(target_name)[0]
-    if room == target:
-        # the hall may use the rest of core, not the other way round
-        return room != "core" or is_hall(name) or not is_hall(stem) \
-            or is_parameters(name)
-    if room == "core":
-        return is_hall(name) or (is_parameters(name) and with_parameters)
-    if target == "core" and is_hall(stem):
-        return False
-    if target == "core" and stem in BASE and "base" in ALLOWED[room]:
-        return True
-    return target in ALLOWED[room]
+def allowed(room, target):
+    """Whether files of a room may include headers of another one."""
+    return room in (target, MAIN) or target in ALLOWED.get(room, ())
 
 
 def sources(root):
@@ -85,21 +57,62 @@ def sources(root):
     return sorted(found)
 
 
-def check_arrows(root, path, room, name, lines):
-    if room is None:  # main.cc
-        return
-    if room not in ROOMS:
-        yield "%s: there is no room '%s'" % (path, room)
-        return
+def includes_of(lines):
+    """[(line number, room, name in the room)] of the headers of ours."""
     for number, line in enumerate(lines, 1):
         match = INCLUDE.match(line)
-        if not match or match.group(1) not in ROOMS:
-            continue
-        target = os.path.join(root, "include", *match.group(1, 2))
-        if not allowed(room, name, match.group(1), match.group(2),
-                       holds_parameters(target)):
+        if match and match.group(1) in ALLOWED:
+            yield (number,) + match.group(1, 2)
+
+
+def check_arrows(path, room, lines):
+    if room is not None and room not in ALLOWED:
+        yield "%s: there is no room '%s'" % (path, room)
+        return
+    for number, target, name in includes_of(lines):
+        if not allowed(room or MAIN, target):
             yield "%s:%d: %s must not include <%s/%s>" \
-                % (path, number, room, match.group(1), match.group(2))
+                % (path, number, room, target, name)
+
+
+def cycles(arrows):
+    """Of {room: rooms it includes}: the sets of rooms that include each other,
+    directly or by way of others."""
+    def reached(room):
+        found, waiting = set(), [room]
+        while waiting:
+            new = set(arrows.get(waiting.pop(), ())) - found
+            found |= new
+            waiting += new
+        return found
+
+    reach = {room: reached(room) for room in arrows}
+    return sorted({tuple(sorted(other for other in reach
+                                if other in reach[room] and room in reach[other]))
+                   for room in reach if room in reach[room]})
+
+
+def count_includes(contents):
+    """{room: {room: number of includes}} without those within a room, of
+    [(room or None for main.cc, lines)]."""
+    counts = {room: collections.Counter() for room in (MAIN,) + tuple(ALLOWED)}
+    for room, lines in contents:
+        for _, target, _ in includes_of(lines):
+            if target != (room or MAIN):
+                counts.setdefault(room or MAIN, collections.Counter())[target] += 1
+    return counts
+
+
+def print_rooms(counts):
+    print("room            includes of other rooms")
+    for room, targets in counts.items():
+        print("%-15s %4d  %s" % (room, sum(targets.values()), ", ".join(
+            "%s %d" % (target, targets[target])
+            for target in ALLOWED if targets[target] > 0)))
+    climbing = sum(number for room, targets in counts.items()
+                   for target, number in targets.items()
+                   if not allowed(room, target))
+    print("cycles: %d, includes that climb: %d" % (len(cycles(counts)), climbing))
 
 
 def header_stems(stem):
@@ -109,10 +122,13 @@ def header_stems(stem):
     return ["_".join(words[:n]) for n in range(len(words), 0, -1)]
 
 
-def check_file(root, path, room, name):
-    with open(os.path.join(root, path), encoding="utf-8", errors="replace") as stream:
-        lines = stream.read().splitlines()
-    yield from check_arrows(root, path, room, name, lines)
+def read_lines(path):
+    with open(path, encoding="utf-8", errors="replace") as stream:
+        return stream.read().splitlines()
+
+
+def check_file(root, path, room, name, lines):
+    yield from check_arrows(path, room, lines)
     if not lines or LICENCE not in lines[0]:
         yield "%s:1: the first line is not '// %s'" % (path, LICENCE)
     if len(lines) > LARGEST_FILE:
@@ -182,10 +198,17 @@ def main():
     files = sources(root)
     if not files:
         offences.append("no sources below %s" % root)
+    contents = []
     for path, room, name in files:
-        offences += check_file(root, path, room, name)
+        lines = read_lines(os.path.join(root, path))
+        contents.append((room, lines))
+        offences += check_file(root, path, room, name, lines)
+    counts = count_includes(contents)
+    for cycle in cycles(counts):
+        offences.append("rooms that include each other: " + ", ".join(cycle))
     offences += check_scripts(root)
     offences += check_format(root)
+    print_rooms(counts)
     for offence in offences:
         print(offence)
     print("%d files, %d offences" % (len(files), len(offences)))

@@ -13,11 +13,12 @@
 // agree to 1e-6 to 1e-5 of the largest one in their column. Newton's method
 // and the coupling are stopped by tolerances, and the order of sums depends on
 // the machine; agreement to more digits means nothing.
-#include <core/case_signature.h>
-#include <core/dimension.h>
-#include <core/parameter_file.h>
-#include <core/parameter_manual.h>
-#include <core/simulation.h>
+#include <input/case_signature.h>
+#include <input/dimension.h>
+#include <input/parameter_file.h>
+#include <input/parameter_manual.h>
+
+#include <simulation/simulation.h>
 
 #include <algorithm>
 #include <cmath>

@@ -3,7 +3,8 @@
 #ifndef mixed_cracks_tests_geometries_h
 #define mixed_cracks_tests_geometries_h
 
-#include <core/errors.h>
+#include <base/errors.h>
+
 #include <problem/geometry.h>
 
 #include <gtest/gtest.h>

@@ -2,7 +2,7 @@
 #ifndef mixed_cracks_tests_imposed_cracks_h
 #define mixed_cracks_tests_imposed_cracks_h
 
-#include <output/crack_path.h>
+#include <cracks/crack_path.h>
 
 #include <algorithm>
 #include <cmath>

@@ -2,11 +2,12 @@
 #ifndef mixed_cracks_tests_parameter_file_fixture_h
 #define mixed_cracks_tests_parameter_file_fixture_h
 
-#include <core/errors.h>
-#include <core/parameter_file.h>
+#include <base/errors.h>
 
 #include <deal.II/base/parameter_handler.h>
 #include <deal.II/base/patterns.h>
+
+#include <input/parameter_file.h>
 
 #include <gtest/gtest.h>
 #include <unistd.h>

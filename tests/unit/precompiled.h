@@ -1,4 +1,4 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include <core/precompiled.h>
+#include <base/precompiled.h>
 
 #include <gtest/gtest.h>

@@ -3,7 +3,7 @@
 #ifndef mixed_cracks_tests_unit_small_systems_h
 #define mixed_cracks_tests_unit_small_systems_h
 
-#include <core/linear_algebra.h>
+#include <base/linear_algebra.h>
 
 #include <deal.II/base/mpi.h>
 

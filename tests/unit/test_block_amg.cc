@@ -3,12 +3,12 @@
 // with hanging nodes, nearly incompressible, with bands of broken cells.
 #include "elastic_system.h"
 
-#include <core/log.h>
-
-#include <gtest/gtest.h>
+#include <base/log.h>
 
 #include <solvers/block_amg.h>
 #include <solvers/direct_solver.h>
+
+#include <gtest/gtest.h>
 
 using namespace MixedCracks;
 using namespace MixedCracks::Testing;

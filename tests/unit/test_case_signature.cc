@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // What may change when a run is resumed, and what may not.
-#include <core/case_signature.h>
-#include <core/errors.h>
-#include <core/parameter_tree.h>
-#include <core/parameters.h>
+#include <base/errors.h>
+
+#include <input/case_signature.h>
+#include <input/parameter_tree.h>
+
+#include <simulation/parameters.h>
 
 #include <gtest/gtest.h>
 

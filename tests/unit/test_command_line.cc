@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include <core/command_line.h>
-#include <core/errors.h>
+#include <base/errors.h>
+
+#include <input/command_line.h>
 
 #include <gtest/gtest.h>
 

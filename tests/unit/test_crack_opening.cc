@@ -3,7 +3,7 @@
 // them.
 #include "imposed_opening.h"
 
-#include <core/errors.h>
+#include <base/errors.h>
 
 #include <output/crack_opening.h>
 

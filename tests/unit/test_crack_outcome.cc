@@ -2,7 +2,7 @@
 // How a body has broken, from given cracks.
 #include "imposed_cracks.h"
 
-#include <output/crack_outcome.h>
+#include <cracks/crack_outcome.h>
 
 #include <gtest/gtest.h>
 

@@ -5,15 +5,15 @@
 
 #include <assembly/assembler.h>
 
-#include <core/errors.h>
+#include <base/errors.h>
 
 #include <deal.II/distributed/tria.h>
 #include <deal.II/grid/grid_generator.h>
 #include <deal.II/numerics/vector_tools.h>
 
-#include <gtest/gtest.h>
-
 #include <output/crack_surface.h>
+
+#include <gtest/gtest.h>
 
 #include <cmath>
 #include <filesystem>

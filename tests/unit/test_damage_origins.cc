@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Where damage was seen first.
-#include <output/damage_origins.h>
+#include <cracks/damage_origins.h>
 
 #include <gtest/gtest.h>
 

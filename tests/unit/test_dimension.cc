@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // The dimension, which is read before everything else.
-#include <core/dimension.h>
-#include <core/errors.h>
-#include <core/parameter_file.h>
-#include <core/parameter_manual.h>
-#include <core/parameters.h>
+#include <base/errors.h>
+
+#include <input/dimension.h>
+#include <input/parameter_file.h>
+#include <input/parameter_manual.h>
+
+#include <simulation/parameters.h>
 
 #include <gtest/gtest.h>
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Elastic constants: every pair gives Lame's pair back, everything else is
 // refused by name.
-#include <model/elastic_constants.h>
+#include <base/errors.h>
 
-#include <core/errors.h>
+#include <model/elastic_constants.h>
 
 #include <gtest/gtest.h>
 

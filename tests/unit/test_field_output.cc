@@ -2,7 +2,7 @@
 // Fields in XDMF and HDF5: the list is XML, the data sets have the sizes that
 // it says and the values of the fields, VTU has the same values, the mesh is
 // written once, and a resumed run continues the list.
-#include <core/errors.h>
+#include <base/errors.h>
 
 #include <deal.II/base/function_lib.h>
 #include <deal.II/base/hdf5.h>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // What CSV and JSON files hold: names that read back as they were, and no
 // number that is not finite.
-#include <core/finite_text.h>
+#include <base/finite_text.h>
 
 #include <gtest/gtest.h>
 

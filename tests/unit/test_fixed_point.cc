@@ -3,7 +3,7 @@
 // known.
 #include "small_systems.h"
 
-#include <solvers/fixed_point.h>
+#include <steps/fixed_point.h>
 
 #include <gtest/gtest.h>
 

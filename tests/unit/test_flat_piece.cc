@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Distances from flat pieces against the smallest of many.
-#include <core/flat_piece.h>
+#include <base/flat_piece.h>
 
 #include <gtest/gtest.h>
 

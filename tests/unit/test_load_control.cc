@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Load steps: halving, growth, the two floors and the ends.
-#include <core/errors.h>
+#include <base/errors.h>
 
-#include <solvers/load_control.h>
+#include <steps/load_control.h>
 
 #include <gtest/gtest.h>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Constants of the material that vary: what the .prm says against the values
 // at points, three ways to say the same, and what is refused.
-#include <core/errors.h>
+#include <base/errors.h>
 
 #include <problem/geometries/checks.h>
 #include <problem/material_field.h>

@@ -1,10 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Refined meshes in 3-d: where they are fine, what becomes of the fields, and
 // which nodes cannot break.
-#include <core/dimension.h>
-#include <core/parameter_file.h>
-#include <core/simulation_setup.h>
-
 #include <deal.II/base/function_lib.h>
 #include <deal.II/base/mpi.h>
 #include <deal.II/dofs/dof_tools.h>
@@ -12,6 +8,11 @@
 #include <deal.II/numerics/vector_tools.h>
 
 #include <discretization/adaptation.h>
+
+#include <input/dimension.h>
+#include <input/parameter_file.h>
+
+#include <simulation/simulation_setup.h>
 
 #include <gtest/gtest.h>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "parameter_file_fixture.h"
 
-#include <core/parameter_tree.h>
+#include <input/parameter_tree.h>
 
 namespace MixedCracks
 {

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include <core/errors.h>
-#include <core/parameter_file.h>
-#include <core/parameter_manual.h>
+#include <base/errors.h>
 
 #include <deal.II/base/parameter_handler.h>
 #include <deal.II/base/patterns.h>
+
+#include <input/parameter_file.h>
+#include <input/parameter_manual.h>
 
 // Boost's parser includes a header of Boost that it calls deprecated.
 #define BOOST_BIND_GLOBAL_PLACEHOLDERS

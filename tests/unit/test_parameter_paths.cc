@@ -2,7 +2,7 @@
 // Where the files are that a .prm names.
 #include "parameter_file_fixture.h"
 
-#include <core/parameter_paths.h>
+#include <input/parameter_paths.h>
 
 using namespace MixedCracks;
 namespace fs = std::filesystem;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include <core/pattern_words.h>
-
 #include <deal.II/base/patterns.h>
+
+#include <input/pattern_words.h>
 
 #include <gtest/gtest.h>
 

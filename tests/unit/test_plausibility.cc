@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Cases whose numbers cannot mean what a user wants are warned of, and others
 // are not.
-#include <core/simulation_plausibility.h>
-
 #include <deal.II/base/numbers.h>
 
-#include <gtest/gtest.h>
-
 #include <model/strength.h>
+
+#include <simulation/simulation_plausibility.h>
+
+#include <gtest/gtest.h>
 
 using namespace MixedCracks;
 

@@ -2,7 +2,7 @@
 // The displacement at points, against fields that the elements hold exactly.
 #include "imposed_opening.h"
 
-#include <core/errors.h>
+#include <base/errors.h>
 
 #include <output/point_displacements.h>
 

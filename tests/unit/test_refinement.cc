@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include <core/errors.h>
-#include <discretization/refinement.h>
-#include <problem/mesh_parameters.h>
+#include <base/errors.h>
 
 #include <deal.II/base/mpi.h>
 #include <deal.II/distributed/tria.h>
 #include <deal.II/grid/grid_generator.h>
+
+#include <discretization/refinement.h>
+
+#include <problem/mesh_parameters.h>
 
 #include <gtest/gtest.h>
 

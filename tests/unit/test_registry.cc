@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // The list behind every name in a .prm, and its messages.
-#include <core/names.h>
-#include <core/registry.h>
+#include <base/names.h>
+#include <base/registry.h>
 
 #include <model/crack_density.h>
 #include <model/energy_split.h>

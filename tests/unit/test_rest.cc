@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // When an iteration is over that moves its unknowns by little, and for long.
-#include <solvers/rest.h>
+#include <steps/rest.h>
 
 #include <gtest/gtest.h>
 

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Who has an output directory, with locks of the file system and without.
-#include <core/errors.h>
+#include <base/errors.h>
+
+#include <output/run_lock.h>
+#include <output/run_lock_holder.h>
 
 #include <fcntl.h>
 #include <gtest/gtest.h>
-#include <output/run_lock.h>
-#include <output/run_lock_holder.h>
 #include <sys/stat.h>
 #include <sys/wait.h>
 #include <unistd.h>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // What a checkpoint says of a run: complete, and refused when it is nonsense.
-#include <core/errors.h>
+#include <base/errors.h>
 
 #include <output/run_record.h>
 

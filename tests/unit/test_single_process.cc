@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // What a process that was started without a launcher tells Open MPI.
-#include <core/single_process.h>
+#include <base/single_process.h>
 
 #include <gtest/gtest.h>
 

@@ -3,16 +3,17 @@
 #include "elastic_system.h"
 #include "small_systems.h"
 
-#include <core/stop_poll.h>
-#include <core/stop_request.h>
+#include <base/stop_request.h>
 
 #include <deal.II/base/mpi.h>
 
-#include <gtest/gtest.h>
+#include <simulation/stop_poll.h>
 
 #include <solvers/active_set.h>
 #include <solvers/block_amg.h>
 #include <solvers/newton.h>
+
+#include <gtest/gtest.h>
 
 #include <sys/wait.h>
 #include <unistd.h>

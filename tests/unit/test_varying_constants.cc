@@ -6,13 +6,13 @@
 
 #include <assembly/assembler.h>
 
-#include <core/simulation_material.h>
-
 #include <deal.II/base/function_lib.h>
 #include <deal.II/grid/grid_generator.h>
 #include <deal.II/numerics/vector_tools.h>
 
 #include <discretization/constraints.h>
+
+#include <simulation/simulation_material.h>
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include <core/wall_time_budget.h>
+#include <simulation/wall_time_budget.h>
 
 #include <gtest/gtest.h>
 

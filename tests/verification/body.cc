@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "body.h"
 
-#include <core/text.h>
+#include <base/text.h>
 
 #include <deal.II/base/quadrature_lib.h>
 #include <deal.II/fe/fe_values.h>
 #include <deal.II/grid/grid_tools.h>
 #include <deal.II/numerics/vector_tools.h>
 
-#include <gtest/gtest.h>
-
 #include <output/quantities.h>
+
+#include <gtest/gtest.h>
 
 #include <cmath>
 #include <iostream>

@@ -5,10 +5,10 @@
 #ifndef mixed_cracks_tests_verification_body_h
 #define mixed_cracks_tests_verification_body_h
 
-#include <core/simulation_material.h>
-#include <core/simulation_setup.h>
-
 #include <deal.II/distributed/tria.h>
+
+#include <simulation/simulation_material.h>
+#include <simulation/simulation_setup.h>
 
 #include <functional>
 #include <string>

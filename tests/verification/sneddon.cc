@@ -8,10 +8,11 @@
 // smeared crack, longer than the sharp one by about a cell at each tip, gets
 // its length. The cells halve from one row of the table to the next, and so
 // shall the error.
-#include <core/case_signature.h>
-#include <core/parameter_file.h>
-#include <core/parameter_manual.h>
-#include <core/simulation.h>
+#include <input/case_signature.h>
+#include <input/parameter_file.h>
+#include <input/parameter_manual.h>
+
+#include <simulation/simulation.h>
 
 #include <gtest/gtest.h>
 #include <unistd.h>

@@ -3,9 +3,10 @@
 // in 2-d.
 #include "body.h"
 
-#include <core/case_signature.h>
-#include <core/parameter_file.h>
-#include <core/simulation.h>
+#include <input/case_signature.h>
+#include <input/parameter_file.h>
+
+#include <simulation/simulation.h>
 
 #include <gtest/gtest.h>
 

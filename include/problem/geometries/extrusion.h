@@ -2,7 +2,7 @@
 #ifndef mixed_cracks_problem_geometries_extrusion_h
 #define mixed_cracks_problem_geometries_extrusion_h
 
-#include <core/flat_piece.h>
+#include <base/flat_piece.h>
 
 #include <deal.II/base/bounding_box.h>
 #include <deal.II/base/parameter_handler.h>

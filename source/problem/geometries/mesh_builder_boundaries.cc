@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include <core/names.h>
-#include <core/text.h>
+#include <base/names.h>
+#include <base/text.h>
+
 #include <problem/geometries/mesh_builder.h>
 #include <problem/geometries/mesh_scan_formats.h>
 

@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include <core/text.h>
+#include <base/text.h>
+
+#include <deal.II/base/patterns.h>
+#include <deal.II/grid/manifold_lib.h>
+
 #include <problem/geometries/checks.h>
 #include <problem/geometries/mesh_builder.h>
 #include <problem/geometries/mesh_file.h>
 #include <problem/geometries/mesh_reader.h>
 #include <problem/geometries/mesh_scan.h>
-
-#include <deal.II/base/patterns.h>
-#include <deal.II/grid/manifold_lib.h>
 
 #include <algorithm>
 #include <cmath>

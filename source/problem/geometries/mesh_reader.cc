@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include <core/errors.h>
+#include <base/errors.h>
+
 #include <problem/geometries/mesh_reader.h>
 
 #include <cerrno>

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include <core/text.h>
+#include <base/text.h>
+
 #include <problem/geometries/mesh_scan_abaqus.h>
 
 #include <algorithm>

@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include <core/text.h>
+#include <base/text.h>
+
+#include <deal.II/base/patterns.h>
+
 #include <problem/geometries/boundaries.h>
 #include <problem/geometries/checks.h>
 #include <problem/geometries/extrusion.h>
 #include <problem/geometries/quad_mesh.h>
 #include <problem/geometries/quadrilateral.h>
-
-#include <deal.II/base/patterns.h>
 
 #include <algorithm>
 #include <cmath>

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#ifndef mixed_cracks_base_compat_h
+#define mixed_cracks_base_compat_h
+
+#include <deal.II/base/index_set.h>
+
+#include <deal.II/dofs/dof_handler.h>
+#include <deal.II/dofs/dof_tools.h>
+
+#include <deal.II/lac/affine_constraints.h>
+
+namespace MixedCracks
+{
+  /// The only file that asks for the version of deal.II (9.4 to 9.7).
+  namespace Compat
+  {
+    /// Start anew with constraints on @p relevant of the dofs of a handler.
+    inline void
+    reinit(dealii::AffineConstraints<double>       &constraints,
+           [[maybe_unused]] const dealii::IndexSet &owned,
+           const dealii::IndexSet                  &relevant)
+    {
+#if DEAL_II_VERSION_GTE(9, 6, 0)
+      constraints.reinit(owned, relevant);
+#else
+      constraints.reinit(relevant);
+#endif
+    }
+
+    template <int dim>
+    dealii::IndexSet
+    relevant_dofs(const dealii::DoFHandler<dim> &dof_handler)
+    {
+#if DEAL_II_VERSION_GTE(9, 6, 0)
+      return dealii::DoFTools::extract_locally_relevant_dofs(dof_handler);
+#else
+      dealii::IndexSet relevant;
+      dealii::DoFTools::extract_locally_relevant_dofs(dof_handler, relevant);
+      return relevant;
+#endif
+    }
+  } // namespace Compat
+} // namespace MixedCracks
+
+#endif

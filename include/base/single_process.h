@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#ifndef mixed_cracks_base_single_process_h
+#define mixed_cracks_base_single_process_h
+
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace MixedCracks
+{
+  /// Whether an environment ("NAME=value" each) is that of a process which a
+  /// launcher of MPI programs has started (mpirun, srun, flux, jsrun, …), or
+  /// may be: a name that only hints at one counts, too.
+  bool has_launcher(const std::vector<std::string> &environment);
+
+  /// Variables, names and values, that make Open MPI start faster where this
+  /// process is the only one: no daemon beside it, no look at the network, no
+  /// temporary files that others of its kind would share and remove.
+  /// Without those that @p environment has already, and none with a launcher.
+  std::vector<std::pair<std::string, std::string>>
+  single_process_settings(const std::vector<std::string> &environment);
+
+  /// Put these settings into the environment of this process. To be called
+  /// before MPI_Init; other implementations of MPI ignore them.
+  void prepare_single_process();
+} // namespace MixedCracks
+
+#endif

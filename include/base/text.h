@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#ifndef mixed_cracks_base_text_h
+#define mixed_cracks_base_text_h
+
+#include <string>
+#include <vector>
+
+namespace MixedCracks
+{
+  /// The parts of @p text between separators, without blanks around them and
+  /// without empty parts.
+  std::vector<std::string> split_list(const std::string &text, char separator);
+
+  /// @p text without blanks around it and with single blanks inside, the form
+  /// in which names are compared.
+  std::string single_spaced(const std::string &text);
+
+  /// @p text in quotes for an error message, shortened when it is long.
+  std::string in_quotes(const std::string &text);
+
+  /// One finite number and nothing else. Throws InputError that names
+  /// @p parameter and the text found.
+  double parse_number(const std::string &text, const std::string &parameter);
+
+  /// Numbers separated by commas; an empty text has none. Throws InputError
+  /// that names @p parameter and the text found.
+  std::vector<double> parse_numbers(const std::string &text,
+                                    const std::string &parameter);
+} // namespace MixedCracks
+
+#endif

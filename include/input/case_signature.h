@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#ifndef mixed_cracks_input_case_signature_h
+#define mixed_cracks_input_case_signature_h
+
+#include <deal.II/base/mpi.h>
+#include <deal.II/base/parameter_handler.h>
+
+#include <string>
+#include <vector>
+
+namespace MixedCracks
+{
+  /// The entries of a .prm by what they mean to a run that is resumed, as
+  /// lines "Subsection/Entry = value".
+  struct CaseSignature
+  {
+    /// What makes up the problem, and hence must not change. An entry "File
+    /// name" counts by what the file holds, and not by where it is.
+    std::string problem;
+    /// What a step is tried with: load steps and solvers, and the program. A
+    /// step that failed is tried again only where this has changed.
+    std::string attempt;
+  };
+
+  /// Collective; the first rank reads the files.
+  CaseSignature case_signature(const dealii::ParameterHandler &prm,
+                               MPI_Comm communicator = MPI_COMM_WORLD);
+
+  /// Throws InputError with the first difference when @p now is not the
+  /// problem that @p before is of.
+  void require_same_case(const std::string &before, const std::string &now);
+
+  /// Whether an entry, or all of a subsection, may change when a run is
+  /// resumed.
+  struct ResumeRule
+  {
+    enum Change
+    {
+      no,
+      if_empty, ///< from nothing to something
+      yes
+    };
+
+    std::string name; ///< "Output", "Output/Field format"
+    Change      change;
+  };
+
+  /// One list for all entries; of two rules the longer one holds.
+  const std::vector<ResumeRule> &resume_rules();
+
+  /// The rule for an entry; nullptr when there is none, which a test forbids.
+  const ResumeRule *resume_rule(const std::string &full_name);
+} // namespace MixedCracks
+
+#endif

@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#ifndef mixed_cracks_simulation_simulation_setup_h
+#define mixed_cracks_simulation_simulation_setup_h
+
+#include <discretization/constraints.h>
+#include <discretization/fields.h>
+#include <discretization/mesh_estimate.h>
+#include <discretization/refinement.h>
+
+#include <simulation/parameters.h>
+
+#include <steps/step.h>
+#include <steps/step_elastic.h>
+#include <steps/step_phase_field.h>
+
+namespace MixedCracks
+{
+  // What the .prm says in names and expressions, made into what the rooms
+  // below take: ids, functions, nodes.
+
+  /// Where subsection "Mesh" wants finer cells from the start.
+  /// @p triangulation: the coarse mesh, or a refined one.
+  template <int dim>
+  RefinementRegions<dim>
+  refined_regions(const Parameters<dim>            &parameters,
+                  const dealii::Triangulation<dim> &triangulation);
+
+  /// The mesh of @p geometry, the chosen one or that with larger cells, not
+  /// refined. Collective.
+  template <int dim>
+  void make_coarse_mesh(const Parameters<dim>      &parameters,
+                        const Geometry<dim>        &geometry,
+                        dealii::Triangulation<dim> &triangulation);
+
+  /// Coarse mesh, refined as subsection "Mesh" says. Collective.
+  template <int dim>
+  void make_mesh(const Parameters<dim>      &parameters,
+                 dealii::Triangulation<dim> &triangulation);
+
+  /// The same for `--check`: a mesh of so many cells that building it takes
+  /// long is refined only where the .prm names points, and what it would be is
+  /// returned. Where already the coarse mesh has too many, one with larger
+  /// cells takes its place. Collective.
+  template <int dim>
+  std::optional<MeshEstimate>
+  make_mesh_to_check(const Parameters<dim>      &parameters,
+                     const FieldLayout          &layout,
+                     dealii::Triangulation<dim> &triangulation);
+
+  /// Mean size of the cells of the finest level, measure^(1/dim), mm: the h
+  /// of expressions. Collective.
+  template <int dim>
+  double finest_cell_size(const dealii::Triangulation<dim> &triangulation,
+                          MPI_Comm                          communicator);
+
+  template <int dim>
+  std::vector<PrescribedComponent<dim>>
+  prescribed_components(const Parameters<dim> &parameters,
+                        unsigned int           n_components);
+
+  template <int dim>
+  std::vector<PrescribedPoint<dim>>
+  prescribed_points(const Parameters<dim> &parameters,
+                    unsigned int           n_components);
+
+  template <int dim>
+  Loads<dim> make_loads(const Parameters<dim> &parameters,
+                        unsigned int           n_components);
+
+  /// The fluid in the cracks; null where there is none.
+  template <int dim>
+  std::shared_ptr<FluidAssembler<dim>>
+  make_fluid(const Parameters<dim> &parameters, const Fields<dim> &fields);
+
+  /// 1 everywhere, 0 on slits and initial cracks; without ghosts.
+  template <int dim>
+  LinearAlgebra::Vector
+  initial_phase_field(const Parameters<dim>  &parameters,
+                      const Fields<dim>      &fields,
+                      const Constraints<dim> &constraints);
+
+  /// Nodes within the unbreakable margin.
+  template <int dim>
+  dealii::IndexSet unbreakable_nodes(const Parameters<dim> &parameters,
+                                     const Fields<dim>     &fields);
+
+  /// Values of the phase field prescribed on the boundary at @p time.
+  template <int dim>
+  std::map<dealii::types::global_dof_index, double>
+  prescribed_phase_field(const Parameters<dim> &parameters,
+                         const Fields<dim>     &fields,
+                         double                 time);
+
+  /// How a step couples its fields.
+  CouplingOptions coupling_options(const ModelParameters &model);
+} // namespace MixedCracks
+
+#endif

@@ -1,0 +1,171 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#ifndef mixed_cracks_steps_step_elastic_h
+#define mixed_cracks_steps_step_elastic_h
+
+#include <assembly/assembler.h>
+#include <assembly/auxiliary_matrices.h>
+#include <assembly/fluid_assembler.h>
+
+#include <base/stop_request.h>
+
+#include <deal.II/base/timer.h>
+
+#include <discretization/constraints.h>
+#include <discretization/state.h>
+
+#include <solvers/parameters.h>
+
+namespace MixedCracks
+{
+  /// Loads on the body, as the assembler takes them.
+  template <int dim>
+  struct Loads
+  {
+    std::shared_ptr<dealii::Function<dim>> body_force;
+    std::map<dealii::types::boundary_id, std::shared_ptr<dealii::Function<dim>>>
+                                         tractions;
+    std::shared_ptr<FluidAssembler<dim>> fluid; ///< in the cracks; or null
+
+    /// Of those that do not depend on the cracks.
+    bool
+    any() const
+    {
+      return body_force || !tractions.empty();
+    }
+  };
+
+  /// Displacement and pressure for a given lagged phase field: matrix,
+  /// factors and Newton's method. Analysis is kept per mesh, factors as long
+  /// as the matrix is (nearly) unchanged.
+  template <int dim>
+  class ElasticStep
+  {
+  public:
+    struct Counts
+    {
+      unsigned int factorizations = 0; ///< or hierarchies of multigrid
+      unsigned int solves         = 0;
+    };
+
+    ElasticStep(const Fields<dim>      &fields,
+                const Constraints<dim> &constraints,
+                Assembler<dim>         &assembler,
+                Loads<dim>              loads,
+                dealii::TimerOutput    &timer,
+                const SolverParameters &solver_parameters = {},
+                StopCheck               stop              = {});
+
+    /// To be called when the mesh changed.
+    LinearOutcome reinit();
+
+    /// A start for the step to trial.time from the accepted state: scaled
+    /// where the load is proportional, which is exact while nothing breaks.
+    void predict(const State &accepted, State &trial) const;
+
+    /// Solve for trial.elastic with trial.lagged_phase_field; sets
+    /// trial.reaction too. Where Newton's method cycles between the branches
+    /// of the split, again by way of cracks that are less broken.
+    NewtonOutcome solve(State &trial, const NewtonOptions &options);
+
+    /// state.reaction from its other members, as after a change of the mesh.
+    void update_reaction(State &state);
+
+    /// Whether there are loads that do not depend on the cracks.
+    bool
+    has_dead_loads() const
+    {
+      return loads.any();
+    }
+
+    /// Of these, at the time of the state, on its displacement; N (mJ per mm
+    /// thickness). 0 without them.
+    double work_of_loads(const State &state) const;
+
+    /// Work of the loads between two states by the trapezoidal rule, of the
+    /// supports, and of the fluid in the cracks; N (mJ per mm thickness).
+    double external_work(const State &before, const State &after) const;
+
+    /// Loads and reactions times the displacements they act on, after solve():
+    /// twice the stored energy of (u, p) found there; N mm per mm thickness.
+    double loads_times_displacements() const;
+
+    const Counts &
+    counts() const
+    {
+      return count;
+    }
+
+    /// After reinit().
+    const LinearSolver &
+    linear_solver() const
+    {
+      return *solver;
+    }
+
+    /// Which linear solver is used and why, for the log.
+    std::string linear_solver_in_words() const;
+
+  private:
+    /// Newton's method from trial.elastic, once.
+    NewtonOutcome solve_once(State &trial, const NewtonOptions &options);
+
+    /// From @p start, with a lower bound of the lagged phase field that goes
+    /// to 0.
+    NewtonOutcome solve_by_continuation(State                       &trial,
+                                        const LinearAlgebra::Vector &start,
+                                        const NewtonOptions         &options);
+
+    /// Make the linear solver for this mesh, if it has to be another one.
+    void choose_solver();
+
+    LinearSystem describe_system();
+
+    /// Ask, and remember the answer for Newton's method.
+    bool ask_to_stop(const std::string &finished);
+
+    /// Of body force and tractions.
+    LinearAlgebra::Vector dead_loads(double time) const;
+
+    /// These and those of the fluid in the cracks of @p phase_field, with
+    /// ghosts.
+    LinearAlgebra::Vector
+    external_forces(double                       time,
+                    const LinearAlgebra::Vector &phase_field) const;
+
+    double fluid_work(const State &before, const State &after) const;
+
+    ResidualSize evaluate_residual(const State &trial);
+
+    LinearOutcome update_matrix(bool force);
+
+    LinearOutcome solve_for_correction(double relative_tolerance);
+
+    const Fields<dim>      &fields;
+    const Constraints<dim> &constraints;
+    Assembler<dim>         &assembler;
+    Loads<dim>              loads;
+    dealii::TimerOutput    &timer;
+
+    const std::string             solver_name;
+    const LinearSolverOptions     solver_options;
+    const StopCheck               stop;
+    bool                          is_stopped = false;
+    LinearSolverChoice            choice;
+    AssembledAuxiliaries<dim>     auxiliaries;
+    std::vector<bool>             pressure_dofs; // owned ones, in order
+    LinearAlgebra::SparseMatrix   matrix;
+    std::unique_ptr<LinearSolver> solver; // lives shorter than the matrix
+    LinearAlgebra::Vector         iterate;
+    LinearAlgebra::Vector         full_residual;
+    LinearAlgebra::Vector         residual;
+    LinearAlgebra::Vector         correction;
+    LinearAlgebra::Vector         external;
+    ElasticAssessment             assessment;
+    /// whether any place that the present correction led to has another branch
+    /// of the split than the matrix
+    bool   crosses_branches = false;
+    Counts count;
+  };
+} // namespace MixedCracks
+
+#endif

@@ -1,0 +1,280 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include <base/errors.h>
+#include <base/expression.h>
+#include <base/names.h>
+#include <base/text.h>
+
+#include <deal.II/base/exceptions.h>
+#include <deal.II/base/numbers.h>
+#include <deal.II/base/point.h>
+#include <deal.II/base/utilities.h>
+
+#include <algorithm>
+#include <cctype>
+#include <cmath>
+#include <iostream>
+#include <sstream>
+
+namespace MixedCracks
+{
+  namespace
+  {
+    constexpr std::size_t n_parser_variables = 4;
+
+    const std::vector<std::string> &
+    function_names()
+    {
+      static const std::vector<std::string> names{
+        "abs",   "acos", "acosh", "asin", "asinh", "atan", "atan2",
+        "atanh", "avg",  "ceil",  "cos",  "cosh",  "cot",  "csc",
+        "erfc",  "exp",  "floor", "if",   "int",   "ln",   "log",
+        "log10", "log2", "max",   "min",  "pow",   "rint", "sec",
+        "sign",  "sin",  "sinh",  "sqrt", "sum",   "tan",  "tanh"};
+      return names;
+    }
+
+    bool
+    is_word_character(const char c)
+    {
+      return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_';
+    }
+
+    // Where the number that starts at begin ends, exponent included.
+    std::size_t
+    end_of_number(const std::string &text, const std::size_t begin)
+    {
+      const char *const digits = "0123456789";
+      std::size_t       end    = text.find_first_not_of("0123456789.", begin);
+      if (end == std::string::npos)
+        return text.size();
+      if (text[end] != 'e' && text[end] != 'E')
+        return end;
+      std::size_t exponent = end + 1;
+      if (exponent < text.size() &&
+          (text[exponent] == '+' || text[exponent] == '-'))
+        ++exponent;
+      const std::size_t behind = text.find_first_not_of(digits, exponent);
+      if (behind == exponent || exponent >= text.size())
+        return end;
+      return std::min(behind, text.size());
+    }
+
+    // Every name in the formula that is not the exponent of a number.
+    std::vector<std::string>
+    words_of(const std::string &text)
+    {
+      std::vector<std::string> words;
+      for (std::size_t i = 0; i < text.size();)
+        if (std::isdigit(static_cast<unsigned char>(text[i])) != 0 ||
+            text[i] == '.')
+          i = end_of_number(text, i);
+        else if (is_word_character(text[i]))
+        {
+          const std::size_t begin = i;
+          while (i < text.size() && is_word_character(text[i]))
+            ++i;
+          words.push_back(text.substr(begin, i - begin));
+        }
+        else
+          ++i;
+      return words;
+    }
+
+    std::string
+    unknown_word(const std::string              &text,
+                 const std::vector<std::string> &variables)
+    {
+      std::vector<std::string> known = variables;
+      known.emplace_back("pi");
+      known.insert(
+        known.end(), function_names().begin(), function_names().end());
+      for (const std::string &word : words_of(text))
+        if (std::find(known.begin(), known.end(), word) == known.end())
+        {
+          const std::string nearest = nearest_name(word, known);
+          return "unknown name '" + word + "'" +
+                 (nearest.empty() || word.size() < 3
+                    ? std::string("")
+                    : "; did you mean '" + nearest + "'?");
+        }
+      return "";
+    }
+
+    // muParser takes these, but not for what anybody means by them: "0,5" is
+    // 5 and "t = 3" sets t.
+    std::string
+    misleading_character(const std::string &text)
+    {
+      int depth = 0;
+      for (std::size_t i = 0; i < text.size(); ++i)
+      {
+        depth += (text[i] == '(') - (text[i] == ')');
+        if (text[i] == ',' && depth == 0)
+          return "',' separates the arguments of functions only; decimals "
+                 "take a point";
+        const bool comparison =
+          (i > 0 &&
+           std::string("=<>!").find(text[i - 1]) != std::string::npos) ||
+          (i + 1 < text.size() && text[i + 1] == '=');
+        if (text[i] == '=' && !comparison)
+          return "'=' assigns; a comparison is written '=='";
+        if (text[i] == '"')
+          return "quotation marks have no meaning here";
+      }
+      return "";
+    }
+
+    // What muParser says in one line, with characters counted from 1.
+    std::string
+    short_reason(const dealii::ExceptionBase &exception)
+    {
+      std::ostringstream stream;
+      exception.print_info(stream);
+      const std::string mark   = "The parser said: ";
+      std::string       reason = stream.str();
+      const std::size_t begin  = reason.find(mark);
+      if (begin == std::string::npos)
+        return "it is not a formula";
+      reason = single_spaced(reason.substr(begin + mark.size()));
+      while (!reason.empty() && reason.back() == '.')
+        reason.pop_back();
+      const std::size_t position = reason.find("position ");
+      if (position != std::string::npos)
+      {
+        const std::size_t digits = position + 9;
+        const std::size_t end = reason.find_first_not_of("0123456789", digits);
+        const int number      = std::atoi(reason.substr(digits, end).c_str());
+        reason.replace(position,
+                       end == std::string::npos ? end : end - position,
+                       "character " + std::to_string(number + 1));
+      }
+      return reason;
+    }
+
+    // deal.II's parser writes to the error stream before it throws.
+    class SilentErrorStream
+    {
+    public:
+      SilentErrorStream()
+        : previous(std::cerr.rdbuf(ignored.rdbuf()))
+      {}
+
+      SilentErrorStream(const SilentErrorStream &)            = delete;
+      SilentErrorStream &operator=(const SilentErrorStream &) = delete;
+
+      ~SilentErrorStream()
+      {
+        std::cerr.rdbuf(previous);
+      }
+
+    private:
+      std::ostringstream ignored;
+      std::streambuf    *previous;
+    };
+  } // namespace
+
+
+
+  Expression::Expression(const std::string              &text,
+                         const std::vector<std::string> &variables,
+                         const std::string              &parameter)
+    : formula(dealii::Utilities::trim(text))
+    , variables(variables)
+    , parameter(parameter)
+  {
+    Assert(!variables.empty() && variables.size() <= n_parser_variables,
+           dealii::ExcMessage("An expression has one to four variables."));
+    std::string reason;
+    if (formula.empty())
+      reason = "it is empty";
+    if (reason.empty())
+      reason = misleading_character(formula);
+    if (reason.empty())
+      reason = unknown_word(formula, variables);
+    if (reason.empty())
+      try
+      {
+        compile();
+      }
+      catch (const dealii::ExceptionBase &exception)
+      {
+        reason = short_reason(exception);
+      }
+      catch (const std::exception &exception)
+      {
+        reason = exception.what();
+      }
+    if (!reason.empty())
+      throw InputError(parameter + ": cannot understand the expression " +
+                       in_quotes(formula) + ": " + reason +
+                       (reason.back() == '?' ? "" : ".") +
+                       " Allowed: numbers, " + join_names(variables) +
+                       ", pi, + - * / ^, comparisons, functions such as sin, "
+                       "sqrt, exp, min, max, if(condition, yes, no).");
+  }
+
+
+
+  void
+  Expression::compile()
+  {
+    std::string names = join_names(variables, ",");
+    for (std::size_t i = variables.size(); i < n_parser_variables; ++i)
+      names += ",unused_" + std::to_string(i);
+
+    const SilentErrorStream silence;
+    const auto              fresh = std::make_shared<Parser>();
+    fresh->initialize(names,
+                      {formula},
+                      {{"pi", dealii::numbers::PI}},
+                      /*time_dependent=*/true);
+    parser = fresh;
+    // muParser compiles at the first evaluation; a value that is not finite
+    // at the origin, as 1/t, is none of its business
+    evaluate(std::vector<double>(variables.size(), 0.));
+  }
+
+
+
+  double
+  Expression::evaluate(const std::vector<double> &values) const
+  {
+    AssertDimension(values.size(), variables.size());
+    double padded[n_parser_variables] = {0., 0., 0., 0.};
+    std::copy(values.begin(), values.end(), padded);
+    return parser->do_value(
+      dealii::Point<3>(padded[0], padded[1], padded[2]), padded[3], 0);
+  }
+
+
+
+  bool
+  Expression::uses(const std::string &name) const
+  {
+    const std::vector<std::string> words = words_of(formula);
+    return std::find(words.begin(), words.end(), name) != words.end();
+  }
+
+
+
+  double
+  Expression::operator()(const std::vector<double> &values) const
+  {
+    const double result = evaluate(values);
+    if (!std::isfinite(result))
+    {
+      // a number that is none has a sign, which would be printed
+      const char *const  found = std::isnan(result) ? "no number"
+                                 : result > 0.      ? "infinity"
+                                                    : "minus infinity";
+      std::ostringstream message;
+      message << parameter << ": the expression " << in_quotes(formula)
+              << " gives " << found << " at";
+      for (std::size_t i = 0; i < variables.size(); ++i)
+        message << (i == 0 ? " " : ", ") << variables[i] << " = " << values[i];
+      message << "; it must be finite.";
+      throw InputError(message.str());
+    }
+    return result;
+  }
+} // namespace MixedCracks

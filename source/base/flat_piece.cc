@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include <base/flat_piece.h>
+
+#include <algorithm>
+
+namespace MixedCracks
+{
+  using dealii::Point;
+  using dealii::Tensor;
+
+  namespace
+  {
+    template <int dim>
+    double
+    distance_to_segment(const Point<dim> &point,
+                        const Point<dim> &begin,
+                        const Point<dim> &end)
+    {
+      const Tensor<1, dim> direction = end - begin;
+      const double         square    = direction.norm_square();
+      const double         part =
+        square > 0. ? (point - begin) * direction / square : 0.;
+      return point.distance(begin + std::clamp(part, 0., 1.) * direction);
+    }
+
+
+
+    double
+    distance_to_triangle(const Point<3>                &point,
+                         const std::array<Point<3>, 3> &corners)
+    {
+      double     nearest  = point.distance(corners[0]);
+      double     longest  = 0.;
+      bool       is_above = true;
+      const auto normal =
+        cross_product_3d(corners[1] - corners[0], corners[2] - corners[0]);
+      for (unsigned int i = 0; i < 3; ++i)
+      {
+        const Point<3> &begin = corners[i], &end = corners[(i + 1) % 3];
+        nearest  = std::min(nearest, distance_to_segment(point, begin, end));
+        longest  = std::max(longest, begin.distance(end));
+        is_above = is_above &&
+                   cross_product_3d(end - begin, point - begin) * normal >= 0.;
+      }
+      // without an area there is nothing but the edges
+      const double twice_area = normal.norm();
+      if (!is_above || twice_area <= 1e-12 * longest * longest)
+        return nearest;
+      return std::abs((point - corners[0]) * normal) / twice_area;
+    }
+  } // namespace
+
+
+
+  template <>
+  FlatPiece<2>
+  FlatPiece<2>::segment(const Point<2> &begin, const Point<2> &end)
+  {
+    return {{{begin, end}}};
+  }
+
+
+
+  template <>
+  FlatPiece<3>
+  FlatPiece<3>::segment(const Point<3> &begin, const Point<3> &end)
+  {
+    return {{{begin, end, begin, end}}};
+  }
+
+
+
+  template <>
+  double
+  distance(const Point<2> &point, const FlatPiece<2> &piece)
+  {
+    return distance_to_segment(point, piece.corners[0], piece.corners[1]);
+  }
+
+
+
+  template <>
+  double
+  distance(const Point<3> &point, const FlatPiece<3> &piece)
+  {
+    const auto &corners = piece.corners;
+    return std::min(
+      distance_to_triangle(point, {{corners[0], corners[1], corners[2]}}),
+      distance_to_triangle(point, {{corners[1], corners[3], corners[2]}}));
+  }
+} // namespace MixedCracks

@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include <base/log.h>
+
+#include <cstdarg>
+#include <cstdio>
+#include <iostream>
+#include <vector>
+
+#include <unistd.h>
+
+namespace MixedCracks
+{
+  std::string
+  printed(const char *format, ...)
+  {
+    va_list arguments;
+    va_start(arguments, format);
+    const int size = std::vsnprintf(nullptr, 0, format, arguments);
+    va_end(arguments);
+    std::vector<char> text(static_cast<std::size_t>(size) + 1);
+    va_start(arguments, format);
+    std::vsnprintf(text.data(), text.size(), format, arguments);
+    va_end(arguments);
+    return text.data();
+  }
+
+
+
+  Log::Log(const bool active)
+    : active(active)
+    , on_terminal(active && isatty(STDOUT_FILENO) == 1)
+  {}
+
+
+
+  Log::~Log()
+  {
+    clear_progress();
+  }
+
+
+
+  void
+  Log::open(const std::string &file_name, const bool append)
+  {
+    if (!active)
+      return;
+    name = file_name;
+    file.open(name, append ? std::ios::app : std::ios::trunc);
+    file << before_file << std::flush;
+    before_file.clear();
+  }
+
+
+
+  std::string
+  Log::failure() const
+  {
+    // a file that could not be opened has failed, too
+    if (name.empty() || file)
+      return "";
+    return "Output/Directory: '" + name +
+           "' cannot be written any more; is the disk full?";
+  }
+
+
+
+  void
+  Log::clear_progress()
+  {
+    if (progress_shown)
+      std::cout << "\r\033[K" << std::flush;
+    progress_shown = false;
+  }
+
+
+
+  void
+  Log::line(const std::string &text)
+  {
+    if (!active)
+      return;
+    clear_progress();
+    std::cout << text << '\n' << std::flush;
+    if (file.is_open())
+      file << text << '\n' << std::flush;
+    else
+      before_file += text + '\n';
+  }
+
+
+
+  void
+  Log::progress(const std::string &text)
+  {
+    if (!on_terminal)
+      return;
+    clear_progress();
+    std::cout << text << std::flush;
+    progress_shown = true;
+  }
+} // namespace MixedCracks

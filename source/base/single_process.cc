@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include <base/single_process.h>
+
+#include <unistd.h>
+
+#include <algorithm>
+#include <cstdlib>
+
+namespace MixedCracks
+{
+  namespace
+  {
+    // settings that make sense with the daemon of a singleton, too
+    constexpr std::size_t n_with_daemon = 3;
+
+    bool
+    begins_with(const std::string &text, const std::string &begin)
+    {
+      return text.compare(0, begin.size(), begin) == 0;
+    }
+  } // namespace
+
+
+
+  bool
+  has_launcher(const std::vector<std::string> &environment)
+  {
+    // Beginnings of names. A batch script of Slurm or LSF sets some of them
+    // without launching anything; to be taken for launched only costs time,
+    // while a rank that is taken for single would calculate alone.
+    static const std::vector<std::string> beginnings{
+      // Open MPI's mpirun, and what its daemons hand on
+      "OMPI_COMM_WORLD",
+      "OMPI_UNIVERSE_SIZE",
+      "OMPI_MCA_ess=",
+      "OMPI_MCA_ess_base",
+      "OMPI_MCA_orte",
+      "OMPI_MCA_prte",
+      "OMPI_MCA_pmix",
+      "ORTE_",
+      "PRTE_",
+      // every launcher that speaks PMI-1, PMI-2 or PMIx
+      "PMI",
+      // srun, aprun and Cray's PALS, flux, LSF and its jsrun, IBM's poe
+      "SLURM_PROCID",
+      "SLURM_STEP",
+      "ALPS",
+      "PALS",
+      "FLUX",
+      "LSB_",
+      "JSM_",
+      "MP_CHILD",
+      // mpiexec of MPICH, Intel MPI and MVAPICH
+      "HYDRA",
+      "HYDI",
+      "MPI_LOCAL",
+      "MPIEXEC",
+      "MPIRUN",
+      "MV2_COMM_WORLD",
+      "MVP_COMM_WORLD"};
+    return std::any_of(
+      environment.begin(), environment.end(), [](const std::string &variable) {
+        return std::any_of(
+          beginnings.begin(), beginnings.end(), [&](const std::string &begin) {
+            return begins_with(variable, begin);
+          });
+      });
+  }
+
+
+
+  std::vector<std::pair<std::string, std::string>>
+  single_process_settings(const std::vector<std::string> &environment)
+  {
+    if (has_launcher(environment))
+      return {};
+    // Started without mpirun, Open MPI 4 forks a daemon in case the program
+    // spawns others, which this one never does. Then it tries all ways to
+    // speak to other processes; ob1 over "self" is all that one needs. In the
+    // environment these win over Open MPI's files of parameters
+    // (openmpi-mca-params.conf), which are written for runs on many.
+    // Without the daemon all such processes of a user have one number and one
+    // directory for temporary files, which the first one to end takes away
+    // from the others. One process needs no such files: no directory, and none
+    // of the shared file pointers that would look for it (MPI-IO works).
+    std::vector<std::pair<std::string, std::string>> settings{
+      {"OMPI_MCA_ess_singleton_isolated", "1"},
+      {"OMPI_MCA_pml", "ob1"},
+      {"OMPI_MCA_btl", "self"},
+      {"OMPI_MCA_orte_create_session_dirs", "0"},
+      {"OMPI_MCA_sharedfp", "^sm"}};
+    const auto is_given = [&environment](const std::string &name) {
+      return std::any_of(environment.begin(),
+                         environment.end(),
+                         [&](const std::string &variable) {
+                           return begins_with(variable, name + "=");
+                         });
+    };
+    // who wants the daemon has its directory
+    if (is_given(settings.front().first))
+      settings.resize(n_with_daemon);
+    settings.erase(std::remove_if(settings.begin(),
+                                  settings.end(),
+                                  [&](const auto &setting) {
+                                    return is_given(setting.first);
+                                  }),
+                   settings.end());
+    return settings;
+  }
+
+
+
+  void
+  prepare_single_process()
+  {
+    std::vector<std::string> environment;
+    for (char **variable = environ; variable != nullptr && *variable != nullptr;
+         ++variable)
+      environment.emplace_back(*variable);
+    for (const auto &[name, value] : single_process_settings(environment))
+      setenv(name.c_str(), value.c_str(), 0);
+  }
+} // namespace MixedCracks

@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include <base/stop_request.h>
+
+#include <atomic>
+#include <csignal>
+
+#include <signal.h>
+#include <time.h>
+
+namespace MixedCracks
+{
+  namespace
+  {
+    // a second Ctrl-C sooner than this is the same one
+    constexpr double same_request = 2.; // s
+
+    volatile std::sig_atomic_t requested = 0;
+    std::atomic<double>        time_of_request{0.}; // s
+    static_assert(std::atomic<double>::is_always_lock_free,
+                  "the handler of a signal must not wait");
+
+    double
+    now()
+    {
+      timespec time{};
+      clock_gettime(CLOCK_MONOTONIC, &time); // allowed in a handler
+      return time.tv_sec + 1e-9 * time.tv_nsec;
+    }
+
+    void
+    remember(const int signal)
+    {
+      if (requested == 0)
+      {
+        time_of_request = now();
+        requested       = signal;
+      }
+      else if (signal == SIGINT && now() - time_of_request > same_request)
+      {
+        std::signal(SIGINT, SIG_DFL);
+        std::raise(SIGINT); // delivered when the handler is left
+      }
+    }
+  } // namespace
+
+
+
+  bool
+  ignores_hangup()
+  {
+    struct sigaction present
+    {};
+    return sigaction(SIGHUP, nullptr, &present) == 0 &&
+           present.sa_handler == SIG_IGN;
+  }
+
+
+
+  void
+  ignore_hangup()
+  {
+    std::signal(SIGHUP, SIG_IGN);
+  }
+
+
+
+  void
+  listen_for_stop_requests()
+  {
+    struct sigaction action
+    {};
+    action.sa_handler = remember;
+    action.sa_flags   = SA_RESTART;
+    sigemptyset(&action.sa_mask);
+    for (const int signal : {SIGTERM, SIGINT, SIGUSR1})
+      sigaction(signal, &action, nullptr);
+    if (!ignores_hangup())
+      sigaction(SIGHUP, &action, nullptr);
+  }
+
+
+
+  StopRequest
+  stop_request()
+  {
+    const int signal = requested;
+    if (signal == 0)
+      return {};
+    return {signal, now() - time_of_request};
+  }
+
+
+
+  std::string
+  name_of_signal(const int signal)
+  {
+    switch (signal)
+    {
+      case SIGTERM:
+        return "SIGTERM";
+      case SIGINT:
+        return "SIGINT";
+      case SIGHUP:
+        return "SIGHUP";
+      case SIGUSR1:
+        return "SIGUSR1";
+    }
+    return "signal " + std::to_string(signal);
+  }
+} // namespace MixedCracks

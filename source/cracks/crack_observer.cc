@@ -1,0 +1,251 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include <cracks/crack_observer.h>
+
+#include <deal.II/base/mpi.h>
+
+#include <algorithm>
+
+namespace MixedCracks
+{
+  using namespace dealii;
+  using Vector = LinearAlgebra::Vector;
+
+  namespace
+  {
+    // a node is broken below this
+    constexpr double broken = 0.3;
+    // cells without a node below this are of no interest for paths
+    constexpr double damaged = 0.9;
+    // damage belongs to earlier damage within this, in length scales
+    constexpr double reach = 3.;
+
+    template <typename T>
+    std::vector<T>
+    gathered_on_root(const std::vector<T> &own, const MPI_Comm communicator)
+    {
+      std::vector<T> all;
+      for (const auto &part : Utilities::MPI::gather(communicator, own))
+        all.insert(all.end(), part.begin(), part.end());
+      return all;
+    }
+
+
+
+    // numbers as they can be sent: four vertices and their values
+    using CellNumbers = std::array<double, 12>;
+  } // namespace
+
+
+
+  template <int dim>
+  CrackObserver<dim>::CrackObserver(
+    const Fields<dim>                               &fields,
+    const std::map<std::string, types::boundary_id> &ids)
+    : fields(fields)
+  {
+    for (const auto &[name, id] : ids)
+      names[id] = name;
+  }
+
+
+
+  template <int dim>
+  void
+  CrackObserver<dim>::reinit()
+  {
+    const IndexSet &owned = fields.phase_field_dofs.owned;
+    positions.assign(owned.n_elements(), Point<dim>());
+    reported.assign(owned.n_elements(), false);
+    for (const auto &cell : fields.phase_field.active_cell_iterators())
+      if (!cell->is_artificial())
+        for (const unsigned int v : cell->vertex_indices())
+        {
+          const auto dof = cell->vertex_dof_index(v, 0);
+          if (owned.is_element(dof))
+            positions[owned.index_within_set(dof)] = cell->vertex(v);
+        }
+  }
+
+
+
+  template <int dim>
+  std::vector<Point<2>>
+  CrackObserver<dim>::newly_broken(const Vector &phase_field)
+  {
+    std::vector<Point<2>> own, all;
+    if constexpr (dim == 2)
+    {
+      const IndexSet &owned = fields.phase_field_dofs.owned;
+      for (unsigned int i = 0; i < positions.size(); ++i)
+        if (!reported[i] && phase_field(owned.nth_index_in_set(i)) < broken)
+        {
+          reported[i] = true;
+          own.push_back(positions[i]);
+        }
+      const MPI_Comm communicator = fields.communicator();
+      if (Utilities::MPI::max(own.empty() ? 0 : 1, communicator) > 0)
+        for (const auto &part : Utilities::MPI::all_gather(communicator, own))
+          all.insert(all.end(), part.begin(), part.end());
+      // in an order that does not depend on the number of ranks
+      std::sort(all.begin(), all.end(), [](const auto &a, const auto &b) {
+        return a[0] != b[0] ? a[0] < b[0] : a[1] < b[1];
+      });
+    }
+    return all;
+  }
+
+
+
+  template <int dim>
+  void
+  CrackObserver<dim>::start(const double length, const Vector &phase_field)
+  {
+    length_scale   = length;
+    damage_origins = DamageOrigins(reach * length);
+    damage_origins.add_initial(newly_broken(phase_field));
+  }
+
+
+
+  template <int dim>
+  void
+  CrackObserver<dim>::resume(const double                 length,
+                             const std::vector<Point<2>> &nuclei,
+                             const Vector                &phase_field)
+  {
+    start(length, phase_field);
+    damage_origins.restore(nuclei);
+  }
+
+
+
+  template <int dim>
+  void
+  CrackObserver<dim>::watch(const Vector &phase_field)
+  {
+    damage_origins.add(newly_broken(phase_field));
+  }
+
+
+
+  template <int dim>
+  void
+  CrackObserver<dim>::take_back(const DamageOrigins &earlier)
+  {
+    damage_origins = earlier;
+    // what was broken before is known already; it does no harm twice
+    std::fill(reported.begin(), reported.end(), false);
+  }
+
+
+
+  template <int dim>
+  std::vector<DamagedCell>
+  CrackObserver<dim>::damaged_cells(const Vector &phase_field) const
+  {
+    std::vector<CellNumbers> own;
+    if constexpr (dim == 2)
+      for (const auto &cell : fields.phase_field.active_cell_iterators())
+        if (cell->is_locally_owned())
+        {
+          CellNumbers numbers;
+          double      smallest = 1.;
+          for (const unsigned int v : cell->vertex_indices())
+          {
+            const double value = phase_field(cell->vertex_dof_index(v, 0));
+            numbers[2 * v]     = cell->vertex(v)[0];
+            numbers[2 * v + 1] = cell->vertex(v)[1];
+            numbers[8 + v]     = value;
+            smallest           = std::min(smallest, value);
+          }
+          if (smallest < damaged)
+            own.push_back(numbers);
+        }
+    std::vector<DamagedCell> cells;
+    for (const CellNumbers &numbers :
+         gathered_on_root(own, fields.communicator()))
+    {
+      DamagedCell cell;
+      for (unsigned int v = 0; v < 4; ++v)
+      {
+        cell.vertices[v]    = {numbers[2 * v], numbers[2 * v + 1]};
+        cell.phase_field[v] = numbers[8 + v];
+      }
+      cells.push_back(cell);
+    }
+    // in an order that does not depend on the number of ranks
+    std::sort(cells.begin(),
+              cells.end(),
+              [](const DamagedCell &a, const DamagedCell &b) {
+                const Point<2> &p = a.vertices[0], &q = b.vertices[0];
+                return p[0] != q[0] ? p[0] < q[0] : p[1] < q[1];
+              });
+    return cells;
+  }
+
+
+
+  template <int dim>
+  std::vector<BoundaryEdge>
+  CrackObserver<dim>::boundary_edges() const
+  {
+    std::vector<std::array<double, 5>> own;
+    if constexpr (dim == 2)
+      for (const auto &cell : fields.phase_field.active_cell_iterators())
+        if (cell->is_locally_owned())
+          for (const unsigned int f : cell->face_indices())
+            if (cell->face(f)->at_boundary())
+            {
+              const auto &begin = cell->face(f)->vertex(0);
+              const auto &end   = cell->face(f)->vertex(1);
+              own.push_back({{begin[0],
+                              begin[1],
+                              end[0],
+                              end[1],
+                              1. * cell->face(f)->boundary_id()}});
+            }
+    std::vector<BoundaryEdge> edges;
+    for (const auto &numbers : gathered_on_root(own, fields.communicator()))
+    {
+      const auto name = names.find(static_cast<types::boundary_id>(numbers[4]));
+      edges.push_back({{numbers[0], numbers[1]},
+                       {numbers[2], numbers[3]},
+                       name == names.end() ? "boundary" : name->second});
+    }
+    return edges;
+  }
+
+
+
+  template <int dim>
+  TracedCracks
+  CrackObserver<dim>::trace(const Vector &phase_field) const
+  {
+    TracedCracks traced;
+    if (dim == 3)
+      traced.outcome = {not_traced, not_traced};
+    if (dim == 3 || length_scale == 0.) // not started
+      return traced;
+    const MPI_Comm                  communicator = fields.communicator();
+    const std::vector<BoundaryEdge> edges        = boundary_edges();
+    const std::vector<DamagedCell>  cells        = damaged_cells(phase_field);
+    if (Utilities::MPI::this_mpi_process(communicator) == 0)
+    {
+      CrackPathOptions options;
+      options.length_scale = length_scale;
+      options.nuclei       = damage_origins.nuclei();
+      if (!cells.empty())
+        traced.paths = trace_cracks(cells, edges, options);
+      traced.outcome =
+        classify(traced.paths, edges, options.nuclei, length_scale);
+    }
+    const int are_separate = separates(traced.outcome) ? 1 : 0;
+    traced.separate_body = Utilities::MPI::max(are_separate, communicator) > 0;
+    return traced;
+  }
+
+
+
+  template class CrackObserver<2>;
+  template class CrackObserver<3>;
+} // namespace MixedCracks

@@ -1,0 +1,257 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include <cracks/crack_outcome.h>
+#include <cracks/crack_path_parts.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <set>
+
+namespace MixedCracks
+{
+  using namespace dealii;
+
+  namespace
+  {
+    using Group = std::vector<unsigned int>; // numbers of cracks
+
+    bool
+    is_side(const std::string &name)
+    {
+      return name != "hole" && !is_notch(name);
+    }
+
+
+
+    // cracks that are joined: branches to what they leave, and with
+    // @p by_hole all that end on the hole
+    std::vector<Group>
+    groups_of(const std::vector<Crack> &cracks,
+              const double              length_scale,
+              const bool                by_hole)
+    {
+      std::vector<unsigned int> label(cracks.size());
+      std::iota(label.begin(), label.end(), 0u);
+      const auto merge = [&label](const unsigned int a, const unsigned int b) {
+        const unsigned int from = label[a], to = label[b];
+        std::replace(label.begin(), label.end(), from, to);
+      };
+      const auto is_at_hole = [](const Crack &crack) {
+        return crack.start.name == "hole" || crack.end.name == "hole";
+      };
+      for (unsigned int a = 0; a < cracks.size(); ++a)
+        for (unsigned int b = 0; b < cracks.size(); ++b)
+          if (a != b &&
+              ((by_hole && is_at_hole(cracks[a]) && is_at_hole(cracks[b])) ||
+               (cracks[a].start.kind == CrackEnd::Kind::crack &&
+                distance_to(cracks[b].points, cracks[a].points.front()) <
+                  length_scale)))
+            merge(a, b);
+      std::vector<Group> groups(cracks.size());
+      for (unsigned int a = 0; a < cracks.size(); ++a)
+        groups[label[a]].push_back(a);
+      groups.erase(std::remove_if(groups.begin(),
+                                  groups.end(),
+                                  [](const Group &g) { return g.empty(); }),
+                   groups.end());
+      return groups;
+    }
+
+
+
+    // two sides, or the notch and a side
+    bool
+    connects(const std::vector<Crack> &cracks, const Group &group)
+    {
+      std::set<std::string> names;
+      bool                  has_side = false;
+      for (const unsigned int c : group)
+        for (const CrackEnd *end : {&cracks[c].start, &cracks[c].end})
+          if (end->kind == CrackEnd::Kind::boundary && end->name != "hole")
+          {
+            names.insert(end->name);
+            has_side = has_side || is_side(end->name);
+          }
+      return has_side && names.size() >= 2;
+    }
+
+
+
+    bool
+    find_hole(const std::vector<BoundaryEdge> &edges, Point<2> &center)
+    {
+      Tensor<1, 2> sum;
+      double       length = 0.;
+      for (const BoundaryEdge &edge : edges)
+        if (edge.name == "hole")
+        {
+          const double part = edge.begin.distance(edge.end);
+          sum += 0.5 * part * (edge.begin + Tensor<1, 2>(edge.end));
+          length += part;
+        }
+      if (length > 0.)
+        center = Point<2>(sum / length);
+      return length > 0.;
+    }
+
+
+
+    // where the cracks pass the vertical line through the center
+    std::string
+    way_past(const std::vector<Crack> &cracks,
+             const Group              &group,
+             const Point<2>           &center)
+    {
+      bool below = false, above = false;
+      for (const unsigned int c : group)
+        for (std::size_t i = 1; i < cracks[c].points.size(); ++i)
+        {
+          const Point<2> &a = cracks[c].points[i - 1], &b = cracks[c].points[i];
+          if ((a[0] < center[0]) == (b[0] < center[0]))
+            continue;
+          const double s = (center[0] - a[0]) / (b[0] - a[0]);
+          (a[1] + s * (b[1] - a[1]) < center[1] ? below : above) = true;
+        }
+      // both, or neither: no word for it
+      return below == above ? "other" : below ? "below hole" : "above hole";
+    }
+
+
+
+    // "corner top left", or empty when no two sides meet there
+    std::string
+    corner_near(const std::vector<BoundaryEdge> &edges,
+                const Point<2>                  &point,
+                const double                     distance)
+    {
+      for (const BoundaryEdge &a : edges)
+        for (const BoundaryEdge &b : edges)
+        {
+          if (!is_side(a.name) || !is_side(b.name) || a.name == b.name)
+            continue;
+          const double tolerance = 1e-6 * a.begin.distance(a.end);
+          for (const Point<2> &corner : {a.begin, a.end})
+            if (corner.distance(point) < distance &&
+                (corner.distance(b.begin) < tolerance ||
+                 corner.distance(b.end) < tolerance))
+            {
+              // "top" and "bottom" first, the rest as in the alphabet
+              std::string first = a.name, second = b.name;
+              const auto  is_first = [](const std::string &name) {
+                return name == "top" || name == "bottom";
+              };
+              if (is_first(second) || (!is_first(first) && second < first))
+                std::swap(first, second);
+              return "corner " + first + " " + second;
+            }
+        }
+      return "";
+    }
+
+
+
+    // the first of the nuclei that lies on one of the cracks
+    const Point<2> *
+    first_nucleus(const std::vector<Crack>    &cracks,
+                  const Group                 &group,
+                  const std::vector<Point<2>> &nuclei,
+                  const double                 distance)
+    {
+      for (const Point<2> &nucleus : nuclei)
+        for (const unsigned int c : group)
+          if (distance_to(cracks[c].points, nucleus) < distance)
+            return &nucleus;
+      return nullptr;
+    }
+
+
+
+    const Crack &
+    first_crack(const std::vector<Crack> &cracks,
+                const Group              &group,
+                const Point<2>           *nucleus)
+    {
+      const auto comes_later = [&](const unsigned int a, const unsigned int b) {
+        return nucleus != nullptr ? distance_to(cracks[a].points, *nucleus) >
+                                      distance_to(cracks[b].points, *nucleus)
+                                  : cracks[a].length < cracks[b].length;
+      };
+      return cracks[*std::max_element(group.begin(), group.end(), comes_later)];
+    }
+
+
+
+    std::string
+    start_of(const std::vector<Crack>        &cracks,
+             const Group                     &group,
+             const std::vector<BoundaryEdge> &edges,
+             const std::vector<Point<2>>     &nuclei,
+             const double                     length_scale)
+    {
+      const double    near    = 3. * length_scale;
+      const Point<2> *nucleus = first_nucleus(cracks, group, nuclei, near);
+      if (nucleus == nullptr)
+        for (const unsigned int c : group)
+          if (is_notch(cracks[c].start.name))
+            return cracks[c].start.name;
+      const Crack &first = first_crack(cracks, group, nucleus);
+      // a crack that came from elsewhere may have reached the notch
+      const bool from_end = nucleus != nullptr &&
+                            first.points.back().distance(*nucleus) < near &&
+                            first.points.front().distance(*nucleus) >= near;
+      if (first.from_interior && !from_end)
+        return "interior";
+      const CrackEnd   &end    = from_end ? first.end : first.start;
+      const std::string corner = corner_near(
+        edges, from_end ? first.points.back() : first.points.front(), near);
+      if (!corner.empty())
+        return corner;
+      return end.kind == CrackEnd::Kind::boundary ? end.name : "elsewhere";
+    }
+  } // namespace
+
+
+
+  bool
+  separates(const Outcome &outcome)
+  {
+    return outcome.path != "none" && outcome.path != "arrested" &&
+           outcome.path != not_traced;
+  }
+
+
+
+  Outcome
+  classify(const std::vector<Crack>        &cracks,
+           const std::vector<BoundaryEdge> &edges,
+           const std::vector<Point<2>>     &nuclei,
+           const double                     length_scale)
+  {
+    Outcome outcome;
+    if (cracks.empty())
+      return outcome;
+    Group      group;
+    Point<2>   center;
+    const bool has_hole = find_hole(edges, center);
+    for (const bool by_hole : {false, true})
+      for (const Group &candidate : groups_of(cracks, length_scale, by_hole))
+        if (group.empty() && connects(cracks, candidate))
+        {
+          group        = candidate;
+          outcome.path = !has_hole ? "other"
+                         : by_hole ? "through hole"
+                                   : way_past(cracks, group, center);
+        }
+    if (group.empty())
+    {
+      outcome.path       = "arrested";
+      const auto longest = std::max_element(
+        cracks.begin(), cracks.end(), [](const Crack &a, const Crack &b) {
+          return a.length < b.length;
+        });
+      group = {static_cast<unsigned int>(longest - cracks.begin())};
+    }
+    outcome.start = start_of(cracks, group, edges, nuclei, length_scale);
+    return outcome;
+  }
+} // namespace MixedCracks

@@ -1,0 +1,203 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include <cracks/crack_path.h>
+#include <cracks/crack_path_parts.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace MixedCracks
+{
+  using namespace dealii;
+
+  namespace
+  {
+    bool
+    is_nucleus_near(const CrackPathProblem &problem, const Point<2> &point)
+    {
+      const auto &nuclei = problem.options.nuclei;
+      return std::any_of(
+        nuclei.begin(), nuclei.end(), [&](const auto &nucleus) {
+          return nucleus.distance(point) < 3. * problem.options.length_scale;
+        });
+    }
+
+
+
+    // how much an end looks like a start; the larger one wins
+    int
+    claim(const CrackPathProblem &problem,
+          const CrackEnd         &end,
+          const Point<2>         &point)
+    {
+      if (end.kind == CrackEnd::Kind::crack)
+        return 8;
+      if (is_notch(end.name))
+        return 6;
+      return (end.kind == CrackEnd::Kind::boundary ? 2 : 0) +
+             (is_nucleus_near(problem, point) ? 1 : 0);
+    }
+
+
+
+    void
+    orient(const CrackPathProblem &problem, Crack &crack)
+    {
+      const Point<2> &a = crack.points.front(), &b = crack.points.back();
+      const int       of_start = claim(problem, crack.start, a),
+                of_end         = claim(problem, crack.end, b);
+      const bool is_later =
+        std::abs(a[0] - b[0]) > 1e-9 * problem.h ? b[0] < a[0] : b[1] < a[1];
+      if (of_end > of_start || (of_end == of_start && is_later))
+      {
+        std::reverse(crack.points.begin(), crack.points.end());
+        std::swap(crack.start, crack.end);
+      }
+    }
+
+
+
+    bool
+    is_from_interior(const CrackPathProblem &problem, const Crack &crack)
+    {
+      if (is_nucleus_near(problem, crack.points.front()) ||
+          is_nucleus_near(problem, crack.points.back()))
+        return false;
+      const auto &nuclei = problem.options.nuclei;
+      return std::any_of(
+        nuclei.begin(), nuclei.end(), [&](const auto &nucleus) {
+          return distance_to(crack.points, nucleus) <
+                 3. * problem.options.length_scale;
+        });
+    }
+
+
+
+    double
+    kink_angle(const CrackPathProblem &problem, const Crack &crack)
+    {
+      if (crack.start.kind != CrackEnd::Kind::boundary)
+        return std::numeric_limits<double>::quiet_NaN();
+      const double l = problem.options.length_scale;
+      Polyline     backwards(crack.points.rbegin(), crack.points.rend());
+      if (crack.length > 3. * l)
+        backwards = without_end(backwards, 3. * l);
+      else
+        backwards.resize(1);
+      const Point<2>     start = crack.points.front();
+      const Tensor<1, 2> chord = backwards.back() - start;
+      Tensor<1, 2>       reference;
+      const NotchTip *tip = problem.boundary.tip_near(start, 0.1 * problem.h);
+      if (is_notch(crack.start.name) && tip)
+        reference = tip->direction;
+      else
+        reference = problem.boundary.normal(
+          problem.boundary.nearest(start, is_notch(crack.start.name)),
+          backwards.back());
+      return std::atan2(reference[0] * chord[1] - reference[1] * chord[0],
+                        reference * chord) *
+             180. / std::acos(-1.);
+    }
+
+
+
+    // the center line of a path along nodes, without its uncertain ends
+    Polyline
+    core_of(const CrackPathProblem &problem, const NodePath &path)
+    {
+      Polyline points = resampled(path.points, problem.h);
+      if (length_of(points) > 4. * problem.h)
+      {
+        points = without_end(points, problem.h);
+        std::reverse(points.begin(), points.end());
+        points = without_end(points, problem.h);
+        std::reverse(points.begin(), points.end());
+      }
+      return centred(problem, points);
+    }
+
+
+
+    Crack
+    make_crack(const CrackPathProblem &problem,
+               const Polyline         &core,
+               const Polyline         *parent)
+    {
+      Crack crack;
+      crack.points           = core;
+      const NotchTip *at_end = tip_at_end(problem, core);
+      const NotchTip *at_start =
+        tip_at_end(problem, Polyline(core.rbegin(), core.rend()));
+      crack.end = find_end(problem, at_end, crack.points);
+      if (parent)
+        crack.start = join(problem, *parent, crack.points);
+      else
+      {
+        std::reverse(crack.points.begin(), crack.points.end());
+        crack.start = find_end(problem, at_start, crack.points);
+        std::reverse(crack.points.begin(), crack.points.end());
+      }
+      crack.points = resampled(crack.points, problem.h);
+      crack.length = length_of(crack.points);
+      orient(problem, crack);
+      crack.from_interior = is_from_interior(problem, crack);
+      crack.kink_angle    = kink_angle(problem, crack);
+      return crack;
+    }
+
+
+
+    // most of it has been found before
+    bool
+    is_known(const CrackPathProblem   &problem,
+             const Crack              &crack,
+             const std::vector<Crack> &known)
+    {
+      const double near =
+        std::max(0.5 * problem.options.length_scale, problem.h);
+      const auto n = std::count_if(
+        crack.points.begin(), crack.points.end(), [&](const Point<2> &point) {
+          return std::any_of(
+            known.begin(), known.end(), [&](const Crack &other) {
+              return distance_to(other.points, point) < near;
+            });
+        });
+      return 2 * static_cast<std::size_t>(n) > crack.points.size();
+    }
+  } // namespace
+
+
+
+  std::vector<Crack>
+  trace_cracks(const std::vector<DamagedCell>  &cells,
+               const std::vector<BoundaryEdge> &edges,
+               const CrackPathOptions          &options)
+  {
+    const DamageField field(cells, options.broken);
+    if (field.cell_size() == 0.)
+      return {};
+    const BodyBoundary     boundary(edges);
+    const CrackPathProblem problem{field, boundary, options, field.cell_size()};
+    std::vector<Crack>     cracks;
+    std::vector<Polyline>  cores;
+    for (const NodePath &path : find_node_paths(problem))
+    {
+      cores.emplace_back();
+      if (length_of(path.points) < 0.9 * problem.h)
+        continue;
+      cores.back()              = core_of(problem, path);
+      const bool      is_branch = path.parent != NodePath::no_parent;
+      const Polyline *parent    = is_branch && !cores[path.parent].empty()
+                                    ? &cores[path.parent]
+                                    : nullptr;
+      for (const Polyline &part : parts_off_the_rim(problem, cores.back()))
+      {
+        const Crack crack = make_crack(problem, part, parent);
+        parent            = nullptr;
+        if (crack.length >= options.shortest * options.length_scale &&
+            !is_known(problem, crack, cracks))
+          cracks.push_back(crack);
+      }
+    }
+    return cracks;
+  }
+} // namespace MixedCracks

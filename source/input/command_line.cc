@@ -1,0 +1,222 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include <base/errors.h>
+#include <base/names.h>
+#include <base/text.h>
+
+#include <input/command_line.h>
+#include <input/parameter_manual.h>
+
+#include <algorithm>
+
+namespace MixedCracks
+{
+  namespace
+  {
+    const std::vector<std::string> &
+    option_names()
+    {
+      static const std::vector<std::string> names{"--set",
+                                                  "--output",
+                                                  "--check",
+                                                  "--resume",
+                                                  "--overwrite",
+                                                  "--parameters",
+                                                  "--version",
+                                                  "--help"};
+      return names;
+    }
+
+    bool
+    is_option(const std::string &argument)
+    {
+      return argument.compare(0, 1, "-") == 0;
+    }
+
+    // Goes through the arguments one by one.
+    class Reader
+    {
+    public:
+      Reader(const int argc, const char *const *const argv)
+        : arguments(argv + std::min(argc, 1), argv + argc)
+      {}
+
+      CommandLine
+      read()
+      {
+        for (; position < arguments.size(); ++position)
+          if (is_option(arguments[position]))
+            read_option(arguments[position]);
+          else
+            read_file(arguments[position]);
+        return result;
+      }
+
+    private:
+      void read_option(const std::string &argument);
+
+      void read_file(const std::string &argument);
+
+      void read_setting(const std::string &setting);
+
+      // The value behind "=", or else the next argument, which @p name needs.
+      std::string value_of(const std::string &name, const std::string &what);
+
+      std::string format_of_parameters();
+
+      std::vector<std::string> arguments;
+      std::size_t              position = 0;
+      /// of "--option=value"
+      std::optional<std::string> attached;
+      CommandLine                result;
+    };
+
+
+
+    void
+    Reader::read_option(const std::string &argument)
+    {
+      const std::size_t equals = argument.find('=');
+      const std::string name   = argument.substr(0, equals);
+      attached.reset();
+      if (equals != std::string::npos)
+        attached = argument.substr(equals + 1);
+
+      if (name == "--set")
+        return read_setting(value_of(name, "\"Subsection/.../Entry=value\""));
+      if (name == "--parameters")
+      {
+        result.parameters = format_of_parameters();
+        return;
+      }
+      if (name == "--output")
+      {
+        if (result.output)
+          throw InputError("--output is given twice.");
+        result.output = value_of(name, "a directory");
+        return;
+      }
+
+      bool *const flag = name == "--check"       ? &result.check
+                         : name == "--resume"    ? &result.resume
+                         : name == "--overwrite" ? &result.overwrite
+                         : name == "--version"   ? &result.version
+                         : name == "--help"      ? &result.help
+                                                 : nullptr;
+      if (flag == nullptr)
+        throw InputError("command line: option " +
+                         unknown_name_message(name, option_names()));
+      if (attached)
+        throw InputError(name + " takes no value, found " +
+                         in_quotes(*attached) + ".");
+      *flag = true;
+    }
+
+
+
+    void
+    Reader::read_file(const std::string &argument)
+    {
+      if (argument.empty())
+        throw InputError("command line: an argument is empty; expected the "
+                         "name of a parameter file.");
+      if (!result.file.empty())
+        throw InputError("command line: two parameter files, " +
+                         in_quotes(result.file) + " and " +
+                         in_quotes(argument) +
+                         "; expected one. Does a --set need quotation marks?");
+      result.file = argument;
+    }
+
+
+
+    void
+    Reader::read_setting(const std::string &setting)
+    {
+      const std::size_t equals = setting.find('=');
+      if (equals == std::string::npos || equals == 0)
+        throw InputError("--set " + in_quotes(setting) +
+                         ": expected \"Subsection/.../Entry=value\", in "
+                         "quotation marks when there are blanks.");
+      result.set.push_back(setting);
+    }
+
+
+
+    std::string
+    Reader::value_of(const std::string &name, const std::string &what)
+    {
+      std::string value;
+      if (attached)
+        value = *attached;
+      else if (position + 1 < arguments.size() &&
+               arguments[position + 1].compare(0, 2, "--") != 0)
+        value = arguments[++position];
+      if (value.empty())
+        throw InputError(name + " needs a value: " + what + ".");
+      return value;
+    }
+
+
+
+    std::string
+    Reader::format_of_parameters()
+    {
+      if (result.parameters)
+        throw InputError("--parameters is given twice.");
+      std::string format = parameter_formats().front();
+      if (attached)
+        format = *attached;
+      else if (position + 1 < arguments.size() &&
+               !is_option(arguments[position + 1]))
+        format = arguments[++position];
+      const std::vector<std::string> &formats = parameter_formats();
+      if (std::find(formats.begin(), formats.end(), format) == formats.end())
+        throw InputError("--parameters: " +
+                         unknown_name_message(format, formats));
+      return format;
+    }
+  } // namespace
+
+
+
+  CommandLine
+  parse_command_line(const int argc, const char *const *const argv)
+  {
+    const CommandLine result = Reader(argc, argv).read();
+    if (result.resume && result.overwrite)
+      throw InputError("--resume and --overwrite exclude each other: continue "
+                       "the run in the output directory, or replace it?");
+    if (result.file.empty() && !result.help && !result.version &&
+        !result.parameters)
+      throw InputError("command line: no parameter file.\n" + usage());
+    return result;
+  }
+
+
+
+  std::string
+  usage()
+  {
+    return R"(Usage: mpirun -n N mixed-cracks [options] case.prm
+
+Computes how cracks run through a solid, as the parameter file describes it.
+
+Options:
+  --set "Subsection/.../Entry=value"
+                    override an entry of the file; may be repeated
+  --output DIR      write there instead of to Output/Directory
+  --check           read and check everything, say what the run will need, stop
+  --resume          continue from the newest checkpoint in the output directory
+  --overwrite       replace the run in the output directory
+  --parameters [prm|json|markdown]
+                    print every entry with default, allowed values, description
+  --version         print the versions of the program and its libraries
+  --help            print this text
+
+Exit status: 0 finished; 2 bad input; 3 the calculation cannot go on, last
+accepted state written; 4 file trouble; 5 stopped on request with a checkpoint;
+6 stopped on request before there was anything to continue from. To stop a run,
+kill -USR1 its mpirun, or start it with mixed-cracks-run and press Ctrl-C.
+)";
+  }
+} // namespace MixedCracks

@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include <simulation/parameters.h>
+
+namespace MixedCracks
+{
+  template <int dim>
+  void
+  Parameters<dim>::add_parameters(dealii::ParameterHandler &prm)
+  {
+    geometry.add_parameters(prm);
+    mesh.add_parameters(prm);
+    model.add_parameters(prm);
+    material.add_parameters(prm);
+    geometry.take_thickness_from(material.thickness);
+    boundary_conditions.add_parameters(prm);
+    fluid.add_parameters(prm);
+    initial_cracks.add_parameters(prm);
+    load.add_parameters(prm);
+    solver.add_parameters(prm);
+    output.add_parameters(prm);
+    crack_opening.add_parameters(prm);
+    point_displacements.add_parameters(prm);
+  }
+
+
+
+  template <int dim>
+  std::string
+  Parameters<dim>::force_boundary() const
+  {
+    if (!load.force_boundary.empty())
+      return load.force_boundary;
+    for (const auto &entry : boundary_conditions.displacements())
+      if (entry.component < dim)
+        return entry.boundary;
+    return "";
+  }
+
+
+
+  template <int dim>
+  void
+  Parameters<dim>::check() const
+  {
+    geometry.check();
+    mesh.check(geometry.chosen().extent(), geometry.chosen().names());
+    model.check(dim);
+    material.check();
+    const auto boundaries = geometry.chosen().boundary_ids();
+    boundary_conditions.check(boundaries, [this]() {
+      return geometry.chosen().hint_about_boundaries();
+    });
+    fluid.check();
+    initial_cracks.check();
+    load.check();
+    if (dim == 3 && load.stop_when_separated)
+      throw InputError("Load stepping/Stop when separated: found true with "
+                       "Geometry/Dimension = 3, allowed is false: paths of "
+                       "cracks are known in 2-d only. Load stepping/Stop when "
+                       "force falls below ends a run in 3-d.");
+    solver.check();
+    output.check();
+    crack_opening.check();
+    point_displacements.check();
+
+    std::vector<std::string> prescribed;
+    for (const auto &entry : boundary_conditions.displacements())
+      if (entry.component < dim &&
+          std::find(prescribed.begin(), prescribed.end(), entry.boundary) ==
+            prescribed.end())
+        prescribed.push_back(entry.boundary);
+    const std::string force = force_boundary();
+    if (prescribed.empty() && !force.empty())
+      throw InputError("Load stepping/Force boundary: found '" + force +
+                       "', but displacement is prescribed at points only. "
+                       "Allowed is nothing: the force is then the reaction at "
+                       "the points that move.");
+    if (prescribed.empty())
+      return;
+    if (std::find(prescribed.begin(), prescribed.end(), force) ==
+        prescribed.end())
+      throw InputError("Load stepping/Force boundary: " +
+                       unknown_name_message(force, prescribed) +
+                       " These are the boundaries with prescribed "
+                       "displacement, where there is a reaction.");
+  }
+
+
+
+  template struct Parameters<2>;
+  template struct Parameters<3>;
+} // namespace MixedCracks

@@ -1,0 +1,139 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include <assembly/constants_table.h>
+
+#include <base/log.h>
+
+#include <simulation/simulation_material.h>
+
+#include <limits>
+
+namespace MixedCracks
+{
+  using namespace dealii;
+
+  namespace
+  {
+    // The cells of the coarse mesh: every rank has all of them.
+    template <int dim>
+    std::pair<BoundingBox<dim>, std::set<types::material_id>>
+    coarse_extent_and_ids(const Triangulation<dim> &triangulation)
+    {
+      std::vector<Point<dim>>      points;
+      std::set<types::material_id> ids;
+      for (const auto &cell : triangulation.cell_iterators_on_level(0))
+      {
+        for (const unsigned int v : cell->vertex_indices())
+          points.push_back(cell->vertex(v));
+        ids.insert(cell->material_id());
+      }
+      return {BoundingBox<dim>(points), ids};
+    }
+
+    void
+    widen(Range &range, const double value)
+    {
+      range.smallest = std::min(range.smallest, value);
+      range.largest  = std::max(range.largest, value);
+    }
+
+    std::string
+    in_words(const Range &range)
+    {
+      return !range.varies()
+               ? printed("%.4g", range.smallest)
+               : printed("%.4g to %.4g", range.smallest, range.largest);
+    }
+  } // namespace
+
+
+
+  template <int dim>
+  MaterialField<dim>
+  make_material_field(const MaterialParameters &parameters,
+                      const Triangulation<dim> &triangulation)
+  {
+    const auto [extent, ids] = coarse_extent_and_ids(triangulation);
+    std::shared_ptr<const GridData> map;
+    if (parameters.map.given())
+      map = read_material_map<dim>(
+        parameters.map, extent, triangulation.get_communicator());
+    MaterialField<dim> field(parameters, map);
+    field.check_ids(ids);
+    return field;
+  }
+
+
+
+  template <int dim>
+  ConstantsFunction<dim>
+  constants_function(const ModelParameters    &model,
+                     const MaterialField<dim> &field)
+  {
+    if (!field.varies())
+      return {};
+    return [model, field](const Point<dim>        &point,
+                          const types::material_id id) {
+      const MaterialValues   values  = field(point, id);
+      const ElasticConstants elastic = model.in_kinematics(values.elastic, dim);
+      return PointConstants{
+        elastic.lambda, elastic.mu, values.critical_energy_release_rate};
+    };
+  }
+
+
+
+  template <int dim>
+  MaterialRange
+  material_range(const MaterialField<dim> &field, const Fields<dim> &fields)
+  {
+    const double  huge = std::numeric_limits<double>::max();
+    const Range   none{huge, -huge};
+    MaterialRange range{none, none, none, none, none};
+    const auto    add = [&](const MaterialValues &values) {
+      const ElasticConstants &elastic = values.elastic;
+      widen(range.lambda, elastic.lambda);
+      widen(range.mu, elastic.mu);
+      widen(range.ratio, elastic.lambda / elastic.mu);
+      widen(range.nu, elastic.poisson_ratio());
+      widen(range.toughness, values.critical_energy_release_rate);
+    };
+    if (field.varies())
+      for_each_quadrature_point<dim>(
+        fields, [&](const Point<dim> &point, const types::material_id id) {
+          add(field(point, id));
+        });
+    else
+      add(field(Point<dim>(), 0));
+    for (Range *each :
+         {&range.lambda, &range.mu, &range.ratio, &range.nu, &range.toughness})
+    {
+      each->smallest =
+        Utilities::MPI::min(each->smallest, fields.communicator());
+      each->largest = Utilities::MPI::max(each->largest, fields.communicator());
+    }
+    return range;
+  }
+
+
+
+  std::string
+  in_words(const MaterialRange &range)
+  {
+    return "material varies: lambda = " + in_words(range.lambda) +
+           " MPa, mu = " + in_words(range.mu) +
+           " MPa, G_c = " + in_words(range.toughness) + " N/mm";
+  }
+
+
+
+#define INSTANTIATE(dim)                                                       \
+  template MaterialField<dim> make_material_field(const MaterialParameters &,  \
+                                                  const Triangulation<dim> &); \
+  template ConstantsFunction<dim> constants_function(                          \
+    const ModelParameters &, const MaterialField<dim> &);                      \
+  template MaterialRange material_range(const MaterialField<dim> &,            \
+                                        const Fields<dim> &);
+  INSTANTIATE(2)
+  INSTANTIATE(3)
+#undef INSTANTIATE
+} // namespace MixedCracks

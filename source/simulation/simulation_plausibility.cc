@@ -1,0 +1,287 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include <base/log.h>
+
+#include <model/strength.h>
+
+#include <simulation/simulation_plausibility.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace MixedCracks
+{
+  using namespace dealii;
+
+  namespace
+  {
+    // With l above this part of the width, phi stays below 1 from one side of
+    // the body to the other wherever it is cracked.
+    constexpr double widest_length_scale = 0.5;
+
+    // Cells of l/50 take 2500 times as many as those of l, and say the same.
+    constexpr double finest_resolution = 50.;
+
+    // Strains at which a material of small strains breaks; 1 to 5 are those of
+    // rubber.
+    constexpr double smallest_strain = 1e-6;
+    constexpr double largest_strain  = 10.;
+
+    // Loads over strength at the end of a run: notched bodies break at 0.01 to
+    // 1, and end times are often generous.
+    constexpr double far_too_large = 100.;
+    constexpr double far_too_small = 1e-3;
+
+    // beyond, material breaks all around a pressurised crack (M10)
+    constexpr double largest_fluid_pressure = 3.;
+
+    // loads need not grow with time
+    constexpr unsigned int n_times = 32;
+
+    std::string
+    in_words(const Range &range)
+    {
+      return !range.varies()
+               ? printed("%.3g", range.smallest)
+               : printed("%.3g to %.3g", range.smallest, range.largest);
+    }
+
+    // without a fluid, which acts in cracks only
+    double
+    over_strength(const LoadSize &load,
+                  const double    stress,
+                  const double    strain)
+    {
+      return std::max(load.strain / strain, load.traction / stress);
+    }
+
+    double
+    over_strongest(const CaseScales &scales, const LoadSize &load)
+    {
+      return over_strength(
+        load, scales.strength.stress.largest, scales.strength.strain.largest);
+    }
+
+  } // namespace
+
+
+
+  ImpliedStrength
+  implied_strength(const std::string   &crack_density,
+                   const MaterialRange &material,
+                   const double         length_scale)
+  {
+    const Strength relative =
+      relative_strength(*all_crack_densities().make(crack_density));
+    const auto modulus = [](const double lambda, const double mu) {
+      return mu * (3. * lambda + 2. * mu) / (lambda + mu);
+    };
+    const Range  E{modulus(material.lambda.smallest, material.mu.smallest),
+                  modulus(material.lambda.largest, material.mu.largest)};
+    const Range &G_c    = material.toughness;
+    const auto   stress = [&](const double E, const double G_c) {
+      return relative.stress * std::sqrt(E * G_c / length_scale);
+    };
+    const auto strain = [&](const double E, const double G_c) {
+      return relative.strain * std::sqrt(G_c / (E * length_scale));
+    };
+    return {crack_density,
+            relative.stress,
+            {stress(E.smallest, G_c.smallest), stress(E.largest, G_c.largest)},
+            {strain(E.largest, G_c.smallest), strain(E.smallest, G_c.largest)}};
+  }
+
+
+
+  std::string
+  in_words(const ImpliedStrength &strength)
+  {
+    return printed("strength of an even bar with %s: sigma_c = %.3g "
+                   "sqrt(E G_c/l) = ",
+                   strength.crack_density.c_str(),
+                   strength.factor) +
+           in_words(strength.stress) + " MPa, at a strain of " +
+           in_words(strength.strain);
+  }
+
+
+
+  template <int dim>
+  CaseScales
+  case_scales(const Parameters<dim>  &parameters,
+              const BoundingBox<dim> &body,
+              const MaterialRange    &material,
+              const double            length_scale,
+              const double            cell_size)
+  {
+    CaseScales scales;
+    scales.length_scale = length_scale;
+    scales.cell_size    = cell_size;
+    std::vector<double> extents;
+    for (unsigned int d = 0; d < dim; ++d)
+      extents.push_back(body.side_length(d));
+    std::sort(extents.begin(), extents.end());
+    scales.width = extents[dim - 2];
+    scales.strength =
+      implied_strength(parameters.model.crack_density, material, length_scale);
+    const LoadParameters &load = parameters.load;
+    scales.onset_step          = load.onset_step;
+    scales.first               = load_size(parameters, body, load.onset_step);
+    for (unsigned int i = 0; i <= n_times; ++i)
+    {
+      const LoadSize now =
+        load_size(parameters, body, i * load.end_time / n_times);
+      scales.largest.strain   = std::max(scales.largest.strain, now.strain);
+      scales.largest.traction = std::max(scales.largest.traction, now.traction);
+      scales.largest.fluid    = std::max(scales.largest.fluid, now.fluid);
+    }
+    scales.largest.is_known = scales.first.is_known;
+    return scales;
+  }
+
+
+
+  namespace
+  {
+    void
+    add_lengths(const CaseScales &scales, std::vector<std::string> &warnings)
+    {
+      if (scales.length_scale > widest_length_scale * scales.width)
+        warnings.push_back(
+          printed("l = %.4g mm in a body %.4g mm wide: one crack damages the "
+                  "whole of it; Model/Length scale shall be small against the "
+                  "body",
+                  scales.length_scale,
+                  scales.width));
+      const double resolution = scales.length_scale / scales.cell_size;
+      if (resolution > finest_resolution)
+        warnings.push_back(
+          printed("l/h = %.4g: 4 to 10 cells resolve a crack; is Model/Length "
+                  "scale = %.4g mm meant?",
+                  resolution,
+                  scales.length_scale));
+    }
+
+
+
+    void
+    add_loads(const CaseScales &scales, std::vector<std::string> &warnings)
+    {
+      const double first = over_strongest(scales, scales.first);
+      const double most  = over_strongest(scales, scales.largest);
+      // a body under more than it bears in its first step breaks as a whole,
+      // and no step is short enough to see how
+      const bool at_once = first > 1.;
+      if (!at_once && !(most > far_too_large))
+        return;
+      warnings.push_back(
+        in_words(at_once ? scales.first : scales.largest) +
+        (at_once ? printed(" after one onset step of %.4g s", scales.onset_step)
+                 : std::string(" until the end time")) +
+        printed(" are %.3g times what the material bears (",
+                at_once ? first : most) +
+        in_words(scales.strength) +
+        "): the body breaks as a whole; check Critical energy release rate, "
+        "moduli, Length scale and units (N/mm, MPa, mm)");
+    }
+  } // namespace
+
+
+
+  std::vector<std::string>
+  warnings_about(const CaseScales &scales)
+  {
+    std::vector<std::string> warnings;
+    const ImpliedStrength   &strength = scales.strength;
+    add_lengths(scales, warnings);
+    if (strength.strain.largest < smallest_strain)
+      warnings.push_back(in_words(strength) +
+                         ", less than any material bears; check Critical "
+                         "energy release rate, moduli and Length scale");
+    // one that is never reached is no matter
+    if (strength.strain.smallest > largest_strain &&
+        over_strength(scales.largest,
+                      strength.stress.smallest,
+                      strength.strain.smallest) > far_too_small)
+      warnings.push_back(in_words(strength) +
+                         ", far beyond small strains; check Critical energy "
+                         "release rate, moduli and Length scale");
+    add_loads(scales, warnings);
+    const double fluid = scales.largest.fluid / strength.stress.largest;
+    if (fluid > largest_fluid_pressure)
+      warnings.push_back(
+        printed("Fluid/Pressure reaches %.3g times the strength (", fluid) +
+        in_words(strength) +
+        "): material breaks all around a crack that it acts in");
+    return warnings;
+  }
+
+
+
+  std::string
+  remark_about(const CaseScales &scales)
+  {
+    const ImpliedStrength &strength = scales.strength;
+    const double           most     = std::max(
+      over_strength(
+        scales.largest, strength.stress.smallest, strength.strain.smallest),
+      scales.largest.fluid / strength.stress.smallest);
+    if (!scales.largest.is_known || most == 0. || !(most < far_too_small))
+      return "";
+    return in_words(scales.largest) +
+           printed(" until the end time are %.2g of that: nothing will break",
+                   most);
+  }
+
+
+
+  double
+  damaged_share(const double        crack_surface,
+                const double        body_size,
+                const double        length_scale,
+                const CrackDensity &density)
+  {
+    return crack_surface * length_scale / (density.local(0.) * body_size);
+  }
+
+
+
+  std::string
+  damage_in_words(const std::vector<double> &shares, const double length_scale)
+  {
+    const auto found =
+      std::find_if(shares.begin(), shares.end(), [](const double share) {
+        return share > largest_damaged_share;
+      });
+    if (found == shares.end())
+      return "";
+    const auto step    = static_cast<unsigned int>(found - shares.begin());
+    const int  percent = static_cast<int>(std::round(100. * *found));
+    if (step == 0)
+      return printed("damage fills %d %% of the body in step 0, before it is "
+                     "loaded further: Model/Length scale = %.4g mm is too "
+                     "large for it, or it is broken by Initial cracks or by "
+                     "what is applied at t = 0",
+                     percent,
+                     length_scale);
+    return printed("damage fills %d %% of the body after step %u, %d %% "
+                   "before it: the body broke as a whole, not along cracks; "
+                   "Model/Length scale = %.4g mm is too large for it, or "
+                   "Critical energy release rate too small",
+                   percent,
+                   step,
+                   static_cast<int>(std::round(100. * *(found - 1))),
+                   length_scale);
+  }
+
+
+
+#define INSTANTIATE(dim)                                    \
+  template CaseScales case_scales(const Parameters<dim> &,  \
+                                  const BoundingBox<dim> &, \
+                                  const MaterialRange &,    \
+                                  double,                   \
+                                  double);
+  INSTANTIATE(2)
+  INSTANTIATE(3)
+#undef INSTANTIATE
+} // namespace MixedCracks

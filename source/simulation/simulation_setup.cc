@@ -1,0 +1,263 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include <base/errors.h>
+
+#include <deal.II/grid/grid_tools.h>
+
+#include <discretization/refinement.h>
+
+#include <simulation/simulation_setup.h>
+
+#include <cmath>
+#include <limits>
+
+namespace MixedCracks
+{
+  using namespace dealii;
+
+  namespace
+  {
+    // the part of a face between one of its vertices and its middle: halves
+    // in 2-d, quarters in 3-d
+    template <int dim, typename Face>
+    FlatPiece<dim>
+    part_of_face(const Face &face, const unsigned int vertex)
+    {
+      if constexpr (dim == 2)
+        return {{{face->vertex(vertex), face->center(true)}}};
+      else
+        // lines 0 and 1 run in the second direction of the face
+        return {{{face->vertex(vertex),
+                  face->line(2 + vertex / 2)->center(true),
+                  face->line(vertex % 2)->center(true),
+                  face->center(true)}}};
+    }
+
+
+
+    // every face in parts, so that curved boundaries are met
+    template <int dim>
+    std::vector<FlatPiece<dim>>
+    pieces_of_boundary(const Triangulation<dim> &triangulation,
+                       const types::boundary_id  id)
+    {
+      std::vector<FlatPiece<dim>> pieces;
+      for (const auto &cell : triangulation.cell_iterators_on_level(0))
+        for (const unsigned int f : cell->face_indices())
+          if (cell->face(f)->at_boundary() &&
+              cell->face(f)->boundary_id() == id)
+            for (const unsigned int v : cell->face(f)->vertex_indices())
+              pieces.push_back(part_of_face<dim>(cell->face(f), v));
+      return pieces;
+    }
+
+
+
+    // A value that is not finite is refused by the run that needs it, which may
+    // be none: here it is but something else than 0.
+    template <int dim>
+    bool
+    is_not_zero(const Function<dim> &function,
+                const Point<dim>    &point,
+                const unsigned int   component)
+    {
+      try
+      {
+        return function.value(point, component) != 0.;
+      }
+      catch (const InputError &)
+      {
+        return true;
+      }
+    }
+  } // namespace
+
+
+
+  template <int dim>
+  RefinementRegions<dim>
+  refined_regions(const Parameters<dim>    &parameters,
+                  const Triangulation<dim> &triangulation)
+  {
+    RefinementRegions<dim>     result;
+    const Geometry<dim>       &geometry = parameters.geometry.chosen();
+    const RefinedRegions<dim> &regions  = parameters.mesh.regions;
+    for (const RefinedBox<dim> &box : regions.refined_boxes())
+      result.boxes.push_back(
+        {BoundingBox<dim>({box.lower, box.upper}), box.levels});
+    for (const RefinedDisc<dim> &disc : regions.refined_discs())
+      result.surroundings.push_back(
+        {{FlatPiece<dim>::point(disc.center)}, disc.radius, disc.levels});
+    const auto places     = geometry.named_places();
+    const auto boundaries = geometry.boundary_ids();
+    for (const RefinedSurroundings &named : regions.refined_surroundings())
+    {
+      const auto place = places.find(named.name);
+      result.surroundings.push_back(
+        {place == places.end()
+           ? pieces_of_boundary(triangulation, boundaries.at(named.name))
+           : std::vector<FlatPiece<dim>>{place->second},
+         named.distance,
+         named.levels});
+    }
+    return result;
+  }
+
+
+
+  template <int dim>
+  void
+  make_coarse_mesh(const Parameters<dim> &parameters,
+                   const Geometry<dim>   &geometry,
+                   Triangulation<dim>    &triangulation)
+  {
+    geometry.create(triangulation);
+    // what only the mesh of a file can tell
+    parameters.mesh.check(GridTools::compute_bounding_box(triangulation),
+                          geometry.names());
+  }
+
+
+
+  template <int dim>
+  void
+  make_mesh(const Parameters<dim> &parameters,
+            Triangulation<dim>    &triangulation)
+  {
+    make_coarse_mesh(parameters, parameters.geometry.chosen(), triangulation);
+    refine_globally_and_in_regions(triangulation,
+                                   parameters.mesh.global_refinements,
+                                   refined_regions(parameters, triangulation));
+  }
+
+
+
+  template <int dim>
+  double
+  finest_cell_size(const Triangulation<dim> &triangulation,
+                   const MPI_Comm            communicator)
+  {
+    const int finest = Utilities::MPI::max(
+      static_cast<int>(triangulation.n_levels()), communicator);
+    std::vector<double> sums(2, 0.);
+    for (const auto &cell : triangulation.active_cell_iterators())
+      if (cell->is_locally_owned() && cell->level() == finest - 1)
+      {
+        sums[0] += std::pow(cell->measure(), 1. / dim);
+        sums[1] += 1.;
+      }
+    Utilities::MPI::sum(sums, communicator, sums);
+    return sums[0] / sums[1];
+  }
+
+
+
+  template <int dim>
+  std::vector<PrescribedComponent<dim>>
+  prescribed_components(const Parameters<dim> &parameters,
+                        const unsigned int     n_components)
+  {
+    const auto ids = parameters.geometry.chosen().boundary_ids();
+    std::vector<PrescribedComponent<dim>> result;
+    for (const auto &entry : parameters.boundary_conditions.displacements())
+      if (entry.component < dim)
+      {
+        auto value = std::make_shared<ExpressionFunction<dim>>(n_components);
+        value->set(entry.component, entry.expression);
+        result.push_back({ids.at(entry.boundary), entry.component, value});
+      }
+    return result;
+  }
+
+
+
+  template <int dim>
+  std::vector<PrescribedPoint<dim>>
+  prescribed_points(const Parameters<dim> &parameters,
+                    const unsigned int     n_components)
+  {
+    constexpr unsigned int            n_samples = 16;
+    std::vector<PrescribedPoint<dim>> result;
+    for (const auto &entry :
+         parameters.boundary_conditions.point_displacements())
+    {
+      auto value = std::make_shared<ExpressionFunction<dim>>(n_components);
+      value->set(entry.component, entry.expression);
+      // the expression in t at the point: seen often enough
+      bool moves = false;
+      for (unsigned int i = 0; i <= n_samples && !moves; ++i)
+      {
+        value->set_time(parameters.load.end_time * i / n_samples);
+        moves = is_not_zero(*value, entry.point, entry.component);
+      }
+      result.push_back({entry.point, entry.component, value, moves});
+    }
+    return result;
+  }
+
+
+
+  template <int dim>
+  Loads<dim>
+  make_loads(const Parameters<dim> &parameters, const unsigned int n_components)
+  {
+    const auto &conditions = parameters.boundary_conditions;
+    const auto  ids        = parameters.geometry.chosen().boundary_ids();
+    Loads<dim>  loads;
+    loads.body_force = conditions.body_force(n_components);
+    for (const auto &[boundary, traction] : conditions.tractions(n_components))
+      loads.tractions[ids.at(boundary)] = traction;
+    return loads;
+  }
+
+
+
+  template <int dim>
+  std::shared_ptr<FluidAssembler<dim>>
+  make_fluid(const Parameters<dim> &parameters, const Fields<dim> &fields)
+  {
+    const auto pressure = parameters.fluid.pressure();
+    if (!pressure)
+      return nullptr;
+    return std::make_shared<FluidAssembler<dim>>(fields, pressure);
+  }
+
+
+
+  CouplingOptions
+  coupling_options(const ModelParameters &model)
+  {
+    CouplingOptions options;
+    options.kind =
+      model.coupling == "time-lagged"    ? CouplingOptions::Kind::time_lagged
+      : model.coupling == "extrapolated" ? CouplingOptions::Kind::extrapolated
+                                         : CouplingOptions::Kind::iterated;
+    options.tolerance = model.coupling_tolerance;
+    options.running_tolerance =
+      std::max(model.running_tolerance, model.coupling_tolerance);
+    options.acceleration.over_relaxation      = model.over_relaxation;
+    options.acceleration.largest_acceleration = model.acceleration;
+    options.acceleration.depth                = model.anderson_depth;
+    options.max_iterations                    = model.max_iterations;
+    return options;
+  }
+
+
+
+#define INSTANTIATE(dim)                                                       \
+  template RefinementRegions<dim> refined_regions(const Parameters<dim> &,     \
+                                                  const Triangulation<dim> &); \
+  template void make_mesh(const Parameters<dim> &, Triangulation<dim> &);      \
+  template void make_coarse_mesh(                                              \
+    const Parameters<dim> &, const Geometry<dim> &, Triangulation<dim> &);     \
+  template double finest_cell_size(const Triangulation<dim> &, MPI_Comm);      \
+  template std::vector<PrescribedComponent<dim>> prescribed_components(        \
+    const Parameters<dim> &, unsigned int);                                    \
+  template std::vector<PrescribedPoint<dim>> prescribed_points(                \
+    const Parameters<dim> &, unsigned int);                                    \
+  template Loads<dim> make_loads(const Parameters<dim> &, unsigned int);       \
+  template std::shared_ptr<FluidAssembler<dim>> make_fluid(                    \
+    const Parameters<dim> &, const Fields<dim> &);
+  INSTANTIATE(2)
+  INSTANTIATE(3)
+#undef INSTANTIATE
+} // namespace MixedCracks

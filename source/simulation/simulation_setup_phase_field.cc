@@ -1,0 +1,197 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// What the .prm says of the phase field: initial cracks, nodes that cannot
+// break, values on the boundary.
+#include <base/collective.h>
+
+#include <deal.II/numerics/vector_tools.h>
+
+#include <discretization/slit_faces.h>
+
+#include <simulation/simulation_setup.h>
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+namespace MixedCracks
+{
+  using namespace dealii;
+
+  namespace
+  {
+    // calls body(dof, position, size of the cell) for the owned nodes of the
+    // phase field, seen from every cell around them
+    template <int dim, typename Body>
+    void
+    for_each_node(const Fields<dim> &fields, const Body &body)
+    {
+      for (const auto &cell : fields.phase_field.active_cell_iterators())
+        if (!cell->is_artificial())
+          for (const unsigned int v : cell->vertex_indices())
+          {
+            const auto dof = cell->vertex_dof_index(v, 0);
+            if (fields.phase_field_dofs.owned.is_element(dof))
+              body(
+                dof, cell->vertex(v), cell->diameter() / std::sqrt(1. * dim));
+          }
+    }
+
+
+
+    // where cells of different sizes meet, the smallest value
+    template <int dim>
+    void
+    set_initial_cracks(const InitialCracks<dim> &cracks,
+                       const Fields<dim>        &fields,
+                       LinearAlgebra::Vector    &values)
+    {
+      const InitialPhaseField<dim> phase_field(cracks);
+      values = 1.;
+      together(fields.communicator(), [&]() {
+        for_each_node(fields,
+                      [&](const types::global_dof_index dof,
+                          const Point<dim>             &position,
+                          const double                  size) {
+                        values(dof) = std::min<double>(
+                          values(dof), phase_field.value(position, size));
+                      });
+      });
+    }
+
+
+
+    // those that the geometry knows; of a mesh from a file, where it has
+    // doubled nodes
+    template <int dim>
+    std::vector<FlatPiece<dim>>
+    slits_of(const Parameters<dim>    &parameters,
+             const Triangulation<dim> &triangulation)
+    {
+      std::vector<FlatPiece<dim>> slits = parameters.geometry.chosen().slits();
+      if (slits.empty())
+        for (const SlitFace<dim> &face : slit_faces(triangulation))
+          slits.push_back(face.place);
+      return slits;
+    }
+  } // namespace
+
+
+
+  template <int dim>
+  LinearAlgebra::Vector
+  initial_phase_field(const Parameters<dim>  &parameters,
+                      const Fields<dim>      &fields,
+                      const Constraints<dim> &constraints)
+  {
+    const std::vector<FlatPiece<dim>> slits =
+      parameters.initial_cracks.broken_slits
+        ? slits_of(parameters, fields.phase_field.get_triangulation())
+        : std::vector<FlatPiece<dim>>();
+    LinearAlgebra::Vector values = fields.owned_vector(fields.phase_field_dofs);
+    set_initial_cracks(parameters.initial_cracks, fields, values);
+    for_each_node(fields,
+                  [&](const types::global_dof_index dof,
+                      const Point<dim>             &position,
+                      const double                  size) {
+                    // slits are mesh lines; cracks need not be
+                    for (const FlatPiece<dim> &slit : slits)
+                      if (distance(position, slit) <= 1e-6 * size)
+                        values(dof) = 0.;
+                  });
+    values.compress(VectorOperation::insert);
+    constraints.phase_field_hanging_nodes().distribute(values);
+    return values;
+  }
+
+
+
+  template <int dim>
+  IndexSet
+  unbreakable_nodes(const Parameters<dim> &parameters,
+                    const Fields<dim>     &fields)
+  {
+    IndexSet     frozen(fields.phase_field.n_dofs());
+    const double margin = parameters.boundary_conditions.unbreakable_margin();
+    if (margin == 0.)
+      return frozen;
+    // the coarse mesh is known to every rank, and its boundary with
+    // prescribed displacement consists of flat faces
+    const auto ids = parameters.geometry.chosen().boundary_ids();
+    std::set<types::boundary_id> clamped;
+    for (const auto &entry : parameters.boundary_conditions.displacements())
+      if (entry.component < dim)
+        clamped.insert(ids.at(entry.boundary));
+    std::vector<FlatPiece<dim>> faces;
+    for (const auto &cell :
+         fields.phase_field.get_triangulation().cell_iterators_on_level(0))
+      for (const unsigned int face : cell->face_indices())
+        if (cell->face(face)->at_boundary() &&
+            clamped.count(cell->face(face)->boundary_id()) > 0)
+        {
+          FlatPiece<dim> piece;
+          for (const unsigned int v : cell->face(face)->vertex_indices())
+            piece.corners[v] = cell->face(face)->vertex(v);
+          faces.push_back(piece);
+        }
+    const auto points = parameters.boundary_conditions.point_displacements();
+    for_each_node(fields,
+                  [&](const types::global_dof_index dof,
+                      const Point<dim>             &position,
+                      const double                  size) {
+                    for (const FlatPiece<dim> &face : faces)
+                      if (distance(position, face) <= margin + 1e-6 * size)
+                      {
+                        frozen.add_index(dof);
+                        return;
+                      }
+                    for (const auto &entry : points)
+                      if (position.distance(entry.point) <=
+                          margin + 1e-6 * size)
+                        frozen.add_index(dof);
+                  });
+    return frozen;
+  }
+
+
+
+  template <int dim>
+  std::map<types::global_dof_index, double>
+  prescribed_phase_field(const Parameters<dim> &parameters,
+                         const Fields<dim>     &fields,
+                         const double           time)
+  {
+    const auto ids = parameters.geometry.chosen().boundary_ids();
+    std::map<types::global_dof_index, double> all, owned;
+    together(fields.communicator(), [&]() {
+      for (const auto &entry : parameters.boundary_conditions.displacements())
+        if (entry.component == dim)
+        {
+          ExpressionFunction<dim> value(1);
+          value.set(0, entry.expression);
+          value.set_time(time);
+          VectorTools::interpolate_boundary_values(fields.mapping,
+                                                   fields.phase_field,
+                                                   ids.at(entry.boundary),
+                                                   value,
+                                                   all);
+        }
+    });
+    for (const auto &[dof, value] : all)
+      if (fields.phase_field_dofs.owned.is_element(dof))
+        owned[dof] = std::clamp(value, 0., 1.);
+    return owned;
+  }
+
+
+
+#define INSTANTIATE(dim)                                                     \
+  template LinearAlgebra::Vector initial_phase_field(                        \
+    const Parameters<dim> &, const Fields<dim> &, const Constraints<dim> &); \
+  template IndexSet unbreakable_nodes(const Parameters<dim> &,               \
+                                      const Fields<dim> &);                  \
+  template std::map<types::global_dof_index, double> prescribed_phase_field( \
+    const Parameters<dim> &, const Fields<dim> &, double);
+  INSTANTIATE(2)
+  INSTANTIATE(3)
+#undef INSTANTIATE
+} // namespace MixedCracks

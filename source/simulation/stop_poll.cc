@@ -1,0 +1,136 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include <base/log.h>
+#include <base/stop_request.h>
+
+#include <deal.II/base/mpi.h>
+
+#include <simulation/stop_poll.h>
+
+namespace MixedCracks
+{
+  namespace
+  {
+    // a request that waited longer is explained
+    constexpr double prompt = 2.; // s
+    // no signal has this number
+    constexpr int clock_code = 1000;
+  } // namespace
+
+
+
+  StopPoll::StopPoll(const MPI_Comm communicator, const double wall_time_limit)
+    : communicator(communicator)
+    , start(Clock::now())
+    , budget(wall_time_limit)
+  {}
+
+
+
+  double
+  StopPoll::now() const
+  {
+    return std::chrono::duration<double>(Clock::now() - start).count();
+  }
+
+
+
+  void
+  StopPoll::heed_the_clock()
+  {
+    heeds_clock = true;
+    last_asked  = now(); // calls of the start-up do not come again
+  }
+
+
+
+  bool
+  StopPoll::ask(const std::string &finished)
+  {
+    if (decided)
+      return true;
+    const double time = now();
+    if (heeds_clock)
+      budget.note_call(time - last_asked);
+    return decide(heeds_clock && budget.is_over(time), finished);
+  }
+
+
+
+  bool
+  StopPoll::ask_before_a_step()
+  {
+    if (decided)
+      return true;
+    const double time = now();
+    if (step_begin >= 0.)
+    {
+      budget.note_step(time - step_begin);
+      ++steps;
+    }
+    step_begin = time;
+    return decide(budget.is_over_for_a_step(time), "output of the step");
+  }
+
+
+
+  bool
+  StopPoll::decide(const bool out_of_time, const std::string &finished)
+  {
+    using dealii::Utilities::MPI::max;
+    const StopRequest request = stop_request();
+    // a signal wins: it says who wants it
+    const int code = max(request.signal > 0 ? clock_code + request.signal
+                         : out_of_time      ? clock_code
+                                            : 0,
+                         communicator);
+    last_asked = now();
+    if (code == 0)
+      return false;
+    decided         = true;
+    signal          = code - clock_code;
+    call            = finished;
+    decision_time   = last_asked;
+    age_at_decision = signal == 0 ? 0. : max(request.age, communicator);
+    return true;
+  }
+
+
+
+  void
+  StopPoll::note_checkpoint(const double begin)
+  {
+    budget.note_checkpoint(now() - begin);
+    last_asked = now(); // it is no call that goes on when the time is over
+  }
+
+
+
+  double
+  StopPoll::seconds_since_request() const
+  {
+    return decided ? age_at_decision + now() - decision_time : 0.;
+  }
+
+
+
+  std::string
+  StopPoll::in_words() const
+  {
+    if (!decided)
+      return "";
+    if (signal == 0)
+      return printed("Output/Wall time limit: %.4g s have gone of %.4g s, and "
+                     "the longest load step took %.3g s, leaving in order "
+                     "%.3g s at most",
+                     decision_time,
+                     budget.limit(),
+                     budget.longest_step(),
+                     budget.reserve());
+    std::string text = "asked to stop by " + name_of_signal(signal);
+    if (age_at_decision > prompt)
+      text += printed(", %.1f s ago: not to be interrupted was: %s",
+                      age_at_decision,
+                      call.c_str());
+    return text;
+  }
+} // namespace MixedCracks

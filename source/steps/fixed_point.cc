@@ -1,0 +1,174 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include <deal.II/lac/full_matrix.h>
+#include <deal.II/lac/vector.h>
+
+#include <steps/fixed_point.h>
+
+#include <cmath>
+
+namespace MixedCracks
+{
+  using Vector = LinearAlgebra::Vector;
+
+  namespace
+  {
+    // cosines of the angle between g(x) - x of two iterates
+    constexpr double same_direction = 0.9;
+    constexpr double related        = 0.5;
+    // a difference that shrinks by this is smooth convergence whatever the
+    // angle
+    constexpr double clear_reduction = 0.7;
+    // the long step that leaves an unstable state, of the largest acceleration
+    constexpr double growth_part = 0.25;
+    // relative to the largest entry of the small least-squares problem
+    constexpr double regularization = 1e-10;
+  } // namespace
+
+
+
+  FixedPointAcceleration::FixedPointAcceleration(
+    const FixedPointOptions &options)
+    : options(options)
+  {}
+
+
+
+  void
+  FixedPointAcceleration::restart()
+  {
+    has_last = false;
+    changes_of_x.clear();
+    changes_of_difference.clear();
+    last_factor = 0.;
+    is_growing  = false;
+  }
+
+
+
+  FixedPointAcceleration::Phase
+  FixedPointAcceleration::phase_of(const Vector &difference) const
+  {
+    if (!has_last)
+      return Phase::unrelated;
+    const double now = difference.l2_norm(), before = last_difference.l2_norm();
+    if (now == 0. || before == 0.)
+      return Phase::unrelated;
+    const double cosine = (difference * last_difference) / (now * before);
+    if (now >= before && cosine > same_direction)
+      return Phase::growing;
+    return std::abs(cosine) > related || now < clear_reduction * before
+             ? Phase::smooth
+             : Phase::unrelated;
+  }
+
+
+
+  // The combination of the last iterates whose g(x) - x, were it linear, would
+  // be the smallest, and from there one plain step.
+  Vector
+  FixedPointAcceleration::anderson_step(const Vector &difference) const
+  {
+    const unsigned int         n = changes_of_x.size();
+    dealii::FullMatrix<double> gram(n, n);
+    dealii::Vector<double>     projection(n), weights(n);
+    for (unsigned int i = 0; i < n; ++i)
+    {
+      for (unsigned int j = 0; j <= i; ++j)
+        gram(i, j) = gram(j, i) =
+          changes_of_difference[i] * changes_of_difference[j];
+      projection(i) = changes_of_difference[i] * difference;
+    }
+    double largest = 0.;
+    for (unsigned int i = 0; i < n; ++i)
+      largest = std::max(largest, gram(i, i));
+    for (unsigned int i = 0; i < n; ++i)
+      gram(i, i) += regularization * largest;
+    gram.gauss_jordan();
+    gram.vmult(weights, projection);
+    Vector step(difference);
+    for (unsigned int i = 0; i < n; ++i)
+    {
+      step.add(-weights(i), changes_of_x[i]);
+      step.add(-weights(i), changes_of_difference[i]);
+    }
+    return step;
+  }
+
+
+
+  void
+  FixedPointAcceleration::remember(const Phase   phase,
+                                   const Vector &x,
+                                   const Vector &difference)
+  {
+    if (phase == Phase::smooth && options.depth > 0)
+    {
+      Vector change_of_x(x), change_of_difference(difference);
+      change_of_x.add(-1., last_x);
+      change_of_difference.add(-1., last_difference);
+      changes_of_x.push_front(change_of_x);
+      changes_of_difference.push_front(change_of_difference);
+      if (changes_of_x.size() > options.depth)
+      {
+        changes_of_x.pop_back();
+        changes_of_difference.pop_back();
+      }
+    }
+    else
+    {
+      changes_of_x.clear();
+      changes_of_difference.clear();
+    }
+    has_last        = true;
+    last_x          = x;
+    last_difference = difference;
+  }
+
+
+
+  Vector
+  FixedPointAcceleration::next(const Vector &x, const Vector &image)
+  {
+    Vector difference(image);
+    difference.add(-1., x);
+    Phase      phase = phase_of(difference);
+    const bool is_converging =
+      has_last &&
+      difference.l2_norm() < clear_reduction * last_difference.l2_norm();
+    remember(phase, x, difference);
+
+    const double length = difference.l2_norm();
+    const double longest =
+      std::max(options.largest_acceleration, options.over_relaxation);
+    Vector step(difference);
+    step *= options.over_relaxation;
+    if (!changes_of_x.empty())
+    {
+      const Vector by_anderson = anderson_step(difference);
+      const double wanted      = by_anderson.l2_norm();
+      if (by_anderson * difference <= 0.)
+      {
+        // Backwards lies a state that plain iterations run away from: it
+        // solves the equations, but is not stable.
+        phase = Phase::growing;
+        remember(phase, x, difference);
+      }
+      else if (is_converging || wanted > options.over_relaxation * length)
+      {
+        step = by_anderson;
+        if (wanted > longest * length)
+          step *= longest * length / wanted;
+      }
+    }
+    is_growing = phase == Phase::growing &&
+                 options.largest_acceleration > options.over_relaxation;
+    if (is_growing)
+    {
+      step = difference;
+      step *= std::max(options.over_relaxation, growth_part * longest);
+    }
+    last_factor = length > 0. ? step.l2_norm() / length : 0.;
+    step.add(1., x);
+    return step;
+  }
+} // namespace MixedCracks

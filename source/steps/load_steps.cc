@@ -1,0 +1,208 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include <base/errors.h>
+#include <base/log.h>
+#include <base/names.h>
+#include <base/text.h>
+
+#include <steps/load_steps.h>
+
+#include <algorithm>
+#include <limits>
+
+namespace MixedCracks
+{
+  namespace
+  {
+    const std::string subsection = "Load stepping/";
+
+    void
+    require_order(const std::string        &smaller_name,
+                  const double              smaller,
+                  const std::string        &larger_name,
+                  const double              larger,
+                  std::vector<std::string> &problems)
+    {
+      if (smaller > 0. && larger > 0. && smaller > larger)
+        problems.push_back(subsection + smaller_name +
+                           printed(": %.6g s is larger than ", smaller) +
+                           subsection + larger_name +
+                           printed(", %.6g s. It must not be.", larger));
+    }
+
+    double
+    longest_scheduled(const std::vector<ScheduledStep> &schedule)
+    {
+      double longest = 0.;
+      for (const ScheduledStep &entry : schedule)
+        longest = std::max(longest, entry.step);
+      return longest;
+    }
+
+    double
+    shortest_scheduled(const std::vector<ScheduledStep> &schedule)
+    {
+      double shortest = std::numeric_limits<double>::infinity();
+      for (const ScheduledStep &entry : schedule)
+        shortest = std::min(shortest, entry.step);
+      return shortest;
+    }
+  } // namespace
+
+
+
+  std::vector<ScheduledStep>
+  parse_schedule(const std::string &text, const std::string &parameter)
+  {
+    std::vector<ScheduledStep> schedule;
+    std::string                commas = text;
+    std::replace(commas.begin(), commas.end(), ';', ',');
+    for (const std::string &item : split_list(commas, ','))
+    {
+      const std::vector<std::string> parts = split_list(item, ':');
+      if (parts.size() != 2)
+        throw InputError(parameter + ": found " + in_quotes(item) +
+                         ", allowed is 'time : step', several separated by "
+                         "commas, as '0 : 1e-4, 0.005 : 1e-5'.");
+      const ScheduledStep entry{parse_number(parts[0], parameter),
+                                parse_number(parts[1], parameter)};
+      if (!(entry.time >= 0.) || !(entry.step > 0.))
+        throw InputError(parameter + ": found " + in_quotes(item) +
+                         ", allowed are times from 0 and steps above 0.");
+      if (!schedule.empty() && entry.time <= schedule.back().time)
+        throw InputError(parameter + ": found " + in_quotes(item) +
+                         printed(" behind the time %g s, allowed are "
+                                 "ascending times.",
+                                 schedule.back().time));
+      schedule.push_back(entry);
+    }
+    return schedule;
+  }
+
+
+
+  std::vector<std::string>
+  contradictions(const GivenSteps &given)
+  {
+    std::vector<std::string> problems;
+    const auto               require = [&](const std::string &smaller_name,
+                             const double       smaller,
+                             const std::string &larger_name,
+                             const double       larger) {
+      require_order(smaller_name, smaller, larger_name, larger, problems);
+    };
+    require("Smallest step", given.smallest, "Onset step", given.onset);
+    require("Onset step", given.onset, "Largest step", given.largest);
+    require("Smallest step", given.smallest, "First step", given.first);
+    require("First step", given.first, "Largest step", given.largest);
+    require("Smallest step", given.smallest, "Largest step", given.largest);
+    for (const ScheduledStep &entry : given.schedule)
+    {
+      const std::string name = printed("Step schedule at %g s", entry.time);
+      require(name, entry.step, "Largest step", given.largest);
+      require("Smallest step", given.smallest, name, entry.step);
+      if (entry.time == 0.)
+        require("First step", given.first, name, entry.step);
+    }
+    return problems;
+  }
+
+
+
+  LoadSteps::LoadSteps(const GivenSteps &given)
+    : first(given.first)
+    , largest(given.largest)
+    , onset(given.onset)
+    , smallest(given.smallest)
+    , schedule(given.schedule)
+  {
+    if (largest == 0.)
+    {
+      const bool scheduled = !schedule.empty() && schedule.front().time == 0.;
+      largest              = std::max({scheduled ? 0. : 0.1 * given.end_time,
+                          longest_scheduled(schedule),
+                          first,
+                          onset,
+                          smallest});
+      derived.push_back("largest");
+    }
+    if (first == 0.)
+    {
+      first = fixed_at(0.);
+      if (first == 0.)
+        first = largest;
+      derived.push_back("first");
+    }
+    if (onset == 0.)
+    {
+      onset = std::max(std::min(0.1 * largest, shortest_scheduled(schedule)),
+                       smallest);
+      derived.push_back("onset");
+    }
+    if (smallest == 0.)
+    {
+      smallest = std::min({0.01 * onset, first, shortest_scheduled(schedule)});
+      derived.push_back("smallest");
+    }
+  }
+
+
+
+  const ScheduledStep *
+  LoadSteps::scheduled_at(const double time) const
+  {
+    const ScheduledStep *result = nullptr;
+    for (const ScheduledStep &entry : schedule)
+      if (entry.time <= time + rounding())
+        result = &entry;
+    return result;
+  }
+
+
+
+  double
+  LoadSteps::largest_at(const double time) const
+  {
+    const ScheduledStep *const entry = scheduled_at(time);
+    return entry != nullptr ? std::min(entry->step, largest) : largest;
+  }
+
+
+
+  double
+  LoadSteps::fixed_at(const double time) const
+  {
+    const ScheduledStep *const entry = scheduled_at(time);
+    return entry != nullptr ? entry->step : first;
+  }
+
+
+
+  double
+  LoadSteps::next_scheduled_time(const double time) const
+  {
+    for (const ScheduledStep &entry : schedule)
+      if (entry.time > time + rounding())
+        return entry.time;
+    return std::numeric_limits<double>::infinity();
+  }
+
+
+
+  std::string
+  LoadSteps::in_words() const
+  {
+    std::string text = printed("first %.4g s, largest %.4g s, onset %.4g s, "
+                               "smallest %.4g s",
+                               first,
+                               largest,
+                               onset,
+                               smallest);
+    for (const ScheduledStep &entry : schedule)
+      text += printed("; from %.4g s on at most %.4g s",
+                      entry.time,
+                      std::min(entry.step, largest));
+    if (!derived.empty())
+      text += " (derived: " + join_names(derived) + ")";
+    return text;
+  }
+} // namespace MixedCracks

@@ -1,0 +1,354 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include <deal.II/base/mpi.h>
+
+#include <steps/step.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace MixedCracks
+{
+  using namespace dealii;
+  using Vector = LinearAlgebra::Vector;
+
+  namespace
+  {
+    // of the elastic residual in one round of the iterated coupling
+    constexpr double inexact_reduction = 0.05;
+    // Where loose pieces make Newton's method crawl, this many of its
+    // iterations are enough for one round.
+    constexpr unsigned int inexact_iterations = 2;
+
+    // A node fell from (nearly) intact to (nearly) broken in one step.
+    constexpr double running_crack_change = 0.9;
+
+    // A tip that moves by the n-th part of a cell per iteration needs n of them
+    // for the next cell, and moves the phase field by about 1/n. What it takes
+    // from the stored energy tells it from nodes that break beside a crack. In
+    // a strip whose crack grows stably this leaves the force wrong by 1 %.
+    constexpr double energy_at_rest = 5e-5;
+
+    // The force on a body that is apart changes by less than this from one
+    // iteration to the next; of the force below which the run ends.
+    constexpr double steady_force = 0.05;
+
+
+
+    // max over the nodes of a - b, or of its modulus; infinite where a number
+    // is none
+    double
+    largest_difference(const Vector &a, const Vector &b, const bool modulus)
+    {
+      double     largest = 0.;
+      const auto owned   = a.locally_owned_elements();
+      for (const auto i : owned)
+      {
+        double difference = a(i) - b(i);
+        if (std::isnan(difference))
+          difference = std::numeric_limits<double>::infinity();
+        largest =
+          std::max(largest, modulus ? std::abs(difference) : difference);
+      }
+      return Utilities::MPI::max(largest, a.get_mpi_communicator());
+    }
+
+
+
+    // result = base + factor * (target - base), within [0, upper]
+    void
+    move_within_bounds(const Vector &base,
+                       const Vector &target,
+                       const double  factor,
+                       const Vector &upper,
+                       Vector       &result)
+    {
+      const IndexSet owned = base.locally_owned_elements();
+      Vector         values(owned, base.get_mpi_communicator());
+      for (const auto i : owned)
+        values(i) = std::clamp(base(i) + factor * (target(i) - base(i)),
+                               0.,
+                               std::max(0., static_cast<double>(upper(i))));
+      values.compress(VectorOperation::insert);
+      result = values;
+    }
+  } // namespace
+
+
+
+  template <int dim>
+  StepSolver<dim>::StepSolver(ElasticStep<dim>      &elastic,
+                              PhaseFieldStep<dim>   &phase_field,
+                              const CouplingOptions &options,
+                              const NewtonOptions   &newton_options,
+                              Callbacks              callbacks,
+                              const MPI_Comm         communicator,
+                              Log                   &log)
+    : elastic(elastic)
+    , phase_field(phase_field)
+    , options(options)
+    , newton_options(newton_options)
+    , callbacks(std::move(callbacks))
+    , communicator(communicator)
+    , log(log)
+    , acceleration(options.acceleration)
+  {}
+
+
+
+  // A run starts from equilibrium: at a loaded start a lag would not be that of
+  // any step.
+  template <int dim>
+  bool
+  StepSolver<dim>::is_iterated(const State &trial) const
+  {
+    return options.kind == CouplingOptions::Kind::iterated ||
+           trial.time_step == 0.;
+  }
+
+
+
+  template <int dim>
+  bool
+  StepSolver<dim>::is_settled(const StepOutcome &outcome) const
+  {
+    const bool has_run = outcome.phase_field_change > running_crack_change;
+    return outcome.is_apart ||
+           outcome.coupling_change < (has_run && outcome.at_rest
+                                        ? options.running_tolerance
+                                        : options.tolerance);
+  }
+
+
+
+  template <int dim>
+  void
+  StepSolver<dim>::start_lagged_field(const State &accepted, State &trial) const
+  {
+    trial.lagged_phase_field = accepted.phase_field;
+    if (options.kind == CouplingOptions::Kind::extrapolated &&
+        accepted.time_step > 0.)
+      move_within_bounds(accepted.previous_phase_field,
+                         accepted.phase_field,
+                         1. + trial.time_step / accepted.time_step,
+                         accepted.phase_field,
+                         trial.lagged_phase_field);
+  }
+
+
+
+  template <int dim>
+  void
+  StepSolver<dim>::advance_lagged_field(const State &accepted, State &trial)
+  {
+    Vector image(trial.phase_field.locally_owned_elements(), communicator);
+    Vector lagged(image);
+    image  = trial.phase_field;
+    lagged = trial.lagged_phase_field;
+    const Vector next(acceleration.next(lagged, image));
+    move_within_bounds(
+      lagged, next, 1., accepted.phase_field, trial.lagged_phase_field);
+  }
+
+
+
+  template <int dim>
+  void
+  StepSolver<dim>::log_iteration(const unsigned int      iteration,
+                                 const NewtonOutcome    &newton,
+                                 const ActiveSetOutcome &active_set,
+                                 const double            change)
+  {
+    log.line(printed("  %5u %9.1e %9.1e %9.1e %8u %8u %7u %6u %7u %10.2e %6.2f",
+                     iteration,
+                     newton.first.displacement,
+                     newton.last.displacement,
+                     newton.last.pressure,
+                     static_cast<unsigned int>(active_set.n_active),
+                     static_cast<unsigned int>(active_set.n_changes),
+                     active_set.iterations,
+                     newton.iterations,
+                     newton.linear_iterations + active_set.linear_iterations,
+                     change,
+                     acceleration.factor()));
+  }
+
+
+
+  template <int dim>
+  NewtonOutcome
+  StepSolver<dim>::solve_elastic(const StepOutcome &so_far, State &trial)
+  {
+    NewtonOptions present = newton_options;
+    // While the phase field still moves, exact displacements are not worth
+    // their solves.
+    if (is_iterated(trial) &&
+        (so_far.coupling_iterations == 0 || !is_settled(so_far)))
+    {
+      present.relative_tolerance = inexact_reduction;
+      present.enough_iterations  = inexact_iterations;
+    }
+    return elastic.solve(trial, present);
+  }
+
+
+
+  template <int dim>
+  ActiveSetOutcome
+  StepSolver<dim>::solve_phase_field(const State           &accepted,
+                                     const FixedPhaseField &fixed,
+                                     State                 &trial,
+                                     StepOutcome           &outcome)
+  {
+    const ActiveSetOutcome active_set =
+      phase_field.solve(accepted, fixed, trial);
+    ++outcome.coupling_iterations;
+    outcome.linear_iterations += active_set.linear_iterations;
+    outcome.active_set_size = active_set.n_active;
+    outcome.active_set_changes += active_set.n_changes;
+    outcome.phase_field_change =
+      largest_difference(accepted.phase_field, trial.phase_field, false);
+    outcome.coupling_change =
+      largest_difference(trial.phase_field, trial.lagged_phase_field, true);
+    return active_set;
+  }
+
+
+
+  template <int dim>
+  void
+  StepSolver<dim>::look_for_rest(const double factor, StepOutcome &outcome)
+  {
+    stored_energy.add(0.5 * elastic.loads_times_displacements(), factor);
+    outcome.at_rest = stored_energy.is_at_rest(energy_at_rest);
+  }
+
+
+
+  // Nodes beside a crack that is through go on breaking one by one, for as many
+  // iterations as the crack took. The run ends with such a step, and nothing
+  // that is looked at depends on them.
+  template <int dim>
+  void
+  StepSolver<dim>::look_for_separation(const State &trial,
+                                       StepOutcome &outcome) const
+  {
+    outcome.is_apart = false;
+    // who wants running cracks as accurate as others gets that to the end
+    if (outcome.phase_field_change <= running_crack_change ||
+        options.running_tolerance <= options.tolerance)
+      return;
+    const double before     = outcome.remaining_force;
+    outcome.remaining_force = callbacks.remaining_force(trial);
+    outcome.is_apart =
+      before < 1. && outcome.remaining_force < 1. &&
+      std::abs(outcome.remaining_force - before) < steady_force &&
+      callbacks.is_cut(trial.phase_field);
+  }
+
+
+
+  template <int dim>
+  void
+  StepSolver<dim>::start(const State &accepted, State &trial)
+  {
+    start_lagged_field(accepted, trial);
+    trial.phase_field = accepted.phase_field;
+    elastic.predict(accepted, trial);
+    log.line("  coupl  |r_u| in       out   out |r_p| active"
+             "  changes    sets newton  linear  |phi-phi~| factor");
+  }
+
+
+
+  template <int dim>
+  StepOutcome
+  StepSolver<dim>::left(StepOutcome outcome, const std::string &reason) const
+  {
+    outcome.interrupted = callbacks.stop_requested();
+    outcome.reason = outcome.interrupted ? "the run was asked to stop" : reason;
+    return outcome;
+  }
+
+
+
+  template <int dim>
+  StepOutcome
+  StepSolver<dim>::solve(const State           &accepted,
+                         const FixedPhaseField &fixed,
+                         const double           bound,
+                         const StepOutcome     &so_far,
+                         State                 &trial)
+  {
+    const bool  iterated = is_iterated(trial);
+    StepOutcome outcome  = so_far;
+    acceleration.restart();
+    stored_energy.restart();
+    // of the step from the last iteration to this one
+    double factor = 0.;
+    if (!iterated || !outcome.mesh_is_too_coarse)
+      start(accepted, trial);
+    else
+      // what was predicted is the best guess there is
+      trial.lagged_phase_field = trial.phase_field;
+    outcome.mesh_is_too_coarse = false;
+
+    while (true)
+    {
+      const NewtonOutcome newton = solve_elastic(outcome, trial);
+      outcome.newton_iterations += newton.iterations;
+      outcome.linear_iterations += newton.linear_iterations;
+      if (!newton.converged)
+        return left(outcome, newton.reason);
+      const ActiveSetOutcome active_set =
+        solve_phase_field(accepted, fixed, trial, outcome);
+      log_iteration(outcome.coupling_iterations,
+                    newton,
+                    active_set,
+                    outcome.coupling_change);
+      if (!active_set.converged)
+        return left(outcome, active_set.reason);
+      if (!(outcome.phase_field_change > bound) &&
+          callbacks.needs_finer_mesh(trial.phase_field))
+      {
+        outcome.mesh_is_too_coarse = true;
+        return outcome;
+      }
+      if (iterated)
+      {
+        look_for_rest(factor, outcome);
+        look_for_separation(trial, outcome);
+      }
+      const bool settled = is_settled(outcome) &&
+                           newton.last.largest() <= newton_options.tolerance;
+      if (!iterated || settled || outcome.phase_field_change > bound)
+        break;
+      if (outcome.coupling_iterations >= options.max_iterations)
+      {
+        outcome.reason = "the iterated coupling did not settle within " +
+                         std::to_string(options.max_iterations) + " iterations";
+        return outcome;
+      }
+      if (callbacks.stop_requested())
+        return left(outcome, "");
+      // a settled phase field stays, for displacements that are not
+      // accurate enough yet
+      factor = 0.;
+      if (is_settled(outcome))
+        continue;
+      advance_lagged_field(accepted, trial);
+      factor = acceleration.factor();
+      // with no stable state nearby the change would exceed any bound
+      outcome.runs_away = std::isfinite(bound) && acceleration.runs_away();
+      if (outcome.runs_away)
+        break;
+    }
+    outcome.solved = true;
+    return outcome;
+  }
+
+
+
+  template class StepSolver<2>;
+  template class StepSolver<3>;
+} // namespace MixedCracks

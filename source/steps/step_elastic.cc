@@ -1,0 +1,393 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include <deal.II/dofs/dof_tools.h>
+
+#include <discretization/rigid_body_modes.h>
+#include <discretization/sparse_matrix.h>
+
+#include <steps/step_elastic.h>
+
+#include <cmath>
+#include <limits>
+
+namespace MixedCracks
+{
+  using namespace dealii;
+  using Vector = LinearAlgebra::Vector;
+
+  namespace
+  {
+    // Factors are used for a matrix whose degradation differs by this much at
+    // most: Newton's method then needs another cheap solve or two instead of
+    // a factorisation.
+    constexpr double largest_degradation_change = 0.5;
+
+    const char *const asked_to_stop = "asked to stop";
+
+    // no number where the scale has overflown: nothing is small beside it
+    double
+    relative(const double size, const double scale)
+    {
+      if (!std::isfinite(scale))
+        return std::numeric_limits<double>::quiet_NaN();
+      return size == 0. ? 0. : size / scale;
+    }
+  } // namespace
+
+
+
+  template <int dim>
+  ElasticStep<dim>::ElasticStep(const Fields<dim>      &fields,
+                                const Constraints<dim> &constraints,
+                                Assembler<dim>         &assembler,
+                                Loads<dim>              loads,
+                                TimerOutput            &timer,
+                                const SolverParameters &solver_parameters,
+                                StopCheck               stop)
+    : fields(fields)
+    , constraints(constraints)
+    , assembler(assembler)
+    , loads(std::move(loads))
+    , timer(timer)
+    , solver_name(solver_parameters.name)
+    , solver_options(solver_parameters.linear)
+    , stop(std::move(stop))
+    , auxiliaries(fields, constraints)
+  {}
+
+
+
+  template <int dim>
+  LinearOutcome
+  ElasticStep<dim>::reinit()
+  {
+    TimerOutput::Scope scope(timer, "setup");
+    assembler.reinit();
+    if (loads.fluid)
+      loads.fluid->reinit();
+    const DofSets &dofs = fields.elastic_dofs;
+    make_sparse_matrix(
+      fields.elastic, dofs, constraints.elastic_corrections(), matrix);
+    for (Vector *vector :
+         {&iterate, &full_residual, &residual, &correction, &external})
+      vector->reinit(dofs.owned, fields.communicator());
+    pressure_dofs.assign(dofs.owned.n_elements(), false);
+    if (fields.layout.mixed)
+    {
+      const IndexSet pressure = DoFTools::extract_dofs(
+        fields.elastic,
+        fields.elastic.get_fe().component_mask(fields.pressure));
+      for (const auto dof : pressure)
+        pressure_dofs[dofs.owned.index_within_set(dof)] = true;
+    }
+    choose_solver();
+    return solver->initialize(describe_system());
+  }
+
+
+
+  template <int dim>
+  void
+  ElasticStep<dim>::choose_solver()
+  {
+    const LinearSolverChoice earlier = choice;
+    choice = choose_linear_solver(solver_name, dim, fields.elastic.n_dofs());
+    if (!solver || choice.name != earlier.name)
+      solver = all_linear_solvers().make(choice.name, solver_options);
+    if (!solver->is_direct())
+      auxiliaries.reinit();
+  }
+
+
+
+  template <int dim>
+  LinearSystem
+  ElasticStep<dim>::describe_system()
+  {
+    LinearSystem system;
+    system.matrix       = &matrix;
+    system.symmetry     = assembler.elastic_matrix_is_symmetric()
+                            ? MatrixSymmetry::symmetric
+                            : MatrixSymmetry::none;
+    system.n_components = dim;
+    system.is_pressure  = pressure_dofs;
+    for (const auto dof : fields.elastic_dofs.owned)
+      system.is_constrained.push_back(
+        constraints.elastic_corrections().is_constrained(dof));
+    system.rigid_body_modes = [this]() { return rigid_body_modes(fields); };
+    system.auxiliary        = [this]() {
+      auxiliaries.assemble(assembler);
+      AuxiliaryMatrices result;
+      if (auxiliaries.has_displacement())
+      {
+        result.displacement  = &auxiliaries.displacement();
+        result.interpolation = &auxiliaries.coarse().interpolation();
+        result.is_coarse     = &auxiliaries.coarse().at_vertices();
+      }
+      if (fields.layout.mixed)
+        result.pressure = &auxiliaries.pressure();
+      return result;
+    };
+    system.stop = [this](const std::string &finished) {
+      return ask_to_stop(finished);
+    };
+    // in the middle of a solution, see solve_for_correction()
+    system.as_set_up = [this](const std::function<void()> &work) {
+      timer.leave_subsection("solve");
+      {
+        TimerOutput::Scope scope(timer, "factorisation");
+        work();
+      }
+      timer.enter_subsection("solve");
+    };
+    return system;
+  }
+
+
+
+  template <int dim>
+  bool
+  ElasticStep<dim>::ask_to_stop(const std::string &finished)
+  {
+    is_stopped = is_to_stop(stop, finished) || is_stopped;
+    return is_stopped;
+  }
+
+
+
+  template <int dim>
+  std::string
+  ElasticStep<dim>::linear_solver_in_words() const
+  {
+    return choice.name + ", " + solver->description() +
+           (choice.reason.empty() ? "" : " (auto: " + choice.reason + ")");
+  }
+
+
+
+  template <int dim>
+  Vector
+  ElasticStep<dim>::dead_loads(const double time) const
+  {
+    Vector forces = fields.owned_vector(fields.elastic_dofs);
+    if (!loads.any())
+      return forces;
+    if (loads.body_force)
+      loads.body_force->set_time(time);
+    std::map<types::boundary_id, const Function<dim> *> tractions;
+    for (const auto &[boundary, function] : loads.tractions)
+    {
+      function->set_time(time);
+      tractions[boundary] = function.get();
+    }
+    assembler.external_forces(loads.body_force.get(),
+                              tractions,
+                              constraints.elastic_hanging_nodes(),
+                              forces);
+    return forces;
+  }
+
+
+
+  template <int dim>
+  Vector
+  ElasticStep<dim>::external_forces(const double  time,
+                                    const Vector &phase_field) const
+  {
+    Vector forces = dead_loads(time);
+    if (loads.fluid)
+      loads.fluid->add_nodal_forces(
+        time, phase_field, constraints.elastic_hanging_nodes(), forces);
+    return forces;
+  }
+
+
+
+  template <int dim>
+  void
+  ElasticStep<dim>::predict(const State &accepted, State &trial) const
+  {
+    Vector before = fields.owned_vector(fields.elastic_dofs);
+    Vector after  = before;
+    constraints.apply_prescribed(accepted.time, before);
+    constraints.apply_prescribed(trial.time, after);
+    const Vector forces_before =
+      external_forces(accepted.time, trial.lagged_phase_field);
+    Vector forces_after = external_forces(trial.time, trial.lagged_phase_field);
+
+    const double size = before * before + forces_before * forces_before;
+    const double ratio =
+      size > 0. ? (before * after + forces_before * forces_after) / size : 0.;
+    Vector start(after);
+    start = accepted.elastic;
+    if (size > 0.)
+    {
+      Vector difference(after);
+      difference.add(-ratio, before);
+      forces_after.add(-ratio, forces_before);
+      const double error =
+        difference * difference + forces_after * forces_after;
+      if (error <= 1e-24 * ratio * ratio * size)
+        start *= ratio;
+    }
+    constraints.apply_prescribed(trial.time, start);
+    trial.elastic = start;
+  }
+
+
+
+  template <int dim>
+  ResidualSize
+  ElasticStep<dim>::evaluate_residual(const State &trial)
+  {
+    TimerOutput::Scope scope(timer, "assembly");
+    assessment = assembler.elastic_residual(trial.elastic,
+                                            trial.lagged_phase_field,
+                                            constraints.elastic_hanging_nodes(),
+                                            full_residual);
+    full_residual.add(-1., external);
+    residual = full_residual;
+    constraints.drop_prescribed(residual);
+    crosses_branches |= assessment.branch_changes > 0.;
+
+    // sizes of the two fields apart: their units differ
+    std::vector<double> squares(2, 0.);
+    const double       *values = residual.begin();
+    for (std::size_t i = 0; i < pressure_dofs.size(); ++i)
+      squares[pressure_dofs[i] ? 1 : 0] += values[i] * values[i];
+    Utilities::MPI::sum(squares, fields.communicator(), squares);
+    const double load = external.l2_norm();
+    ask_to_stop("assembly of the residual");
+    return {relative(std::sqrt(squares[0]),
+                     std::max(assessment.displacement_scale, load)),
+            relative(std::sqrt(squares[1]), assessment.pressure_scale)};
+  }
+
+
+
+  template <int dim>
+  LinearOutcome
+  ElasticStep<dim>::update_matrix(const bool force)
+  {
+    // assembly is cheap, factors are not
+    const double allowed_change =
+      force || !solver->is_direct() ? 0. : largest_degradation_change;
+    if (assessment.branch_changes == 0. &&
+        assessment.degradation_change <= allowed_change)
+      return {};
+    {
+      TimerOutput::Scope scope(timer, "assembly");
+      assembler.elastic_matrix(constraints.elastic_corrections(), matrix);
+    }
+    if (ask_to_stop("assembly of the matrix"))
+      return {false, 0, asked_to_stop};
+    TimerOutput::Scope  scope(timer, "factorisation");
+    const unsigned int  before  = solver->n_setups();
+    const LinearOutcome outcome = solver->factorize();
+    count.factorizations += solver->n_setups() - before;
+    if (ask_to_stop("factorisation, " + solver->description()))
+      return {false, 0, asked_to_stop};
+    return outcome;
+  }
+
+
+
+  template <int dim>
+  LinearOutcome
+  ElasticStep<dim>::solve_for_correction(const double relative_tolerance)
+  {
+    TimerOutput::Scope scope(timer, "solve");
+    ++count.solves;
+    crosses_branches = false;
+    residual *= -1.;
+    const unsigned int  before = solver->n_setups();
+    const LinearOutcome outcome =
+      solver->solve(correction, residual, relative_tolerance);
+    count.factorizations += solver->n_setups() - before;
+    constraints.elastic_corrections().distribute(correction);
+    if (ask_to_stop("solution, " + solver->description()))
+      return {false, outcome.iterations, asked_to_stop};
+    return outcome;
+  }
+
+
+
+  template <int dim>
+  void
+  ElasticStep<dim>::update_reaction(State &state)
+  {
+    external = external_forces(state.time, state.lagged_phase_field);
+    evaluate_residual(state);
+    constraints.keep_prescribed(full_residual);
+    state.reaction.reinit(fields.elastic_dofs.owned,
+                          fields.elastic_dofs.relevant,
+                          fields.communicator());
+    state.reaction = full_residual;
+  }
+
+
+
+  template <int dim>
+  double
+  ElasticStep<dim>::work_of_loads(const State &state) const
+  {
+    Vector displacement = fields.owned_vector(fields.elastic_dofs);
+    displacement        = state.elastic;
+    return dead_loads(state.time) * displacement;
+  }
+
+
+
+  template <int dim>
+  double
+  ElasticStep<dim>::external_work(const State &before, const State &after) const
+  {
+    Vector increment = fields.owned_vector(fields.elastic_dofs);
+    Vector old       = increment;
+    increment        = after.elastic;
+    old              = before.elastic;
+    increment.add(-1., old);
+    Vector forces = dead_loads(before.time);
+    forces.add(1., dead_loads(after.time));
+    Vector reaction(increment);
+    reaction = before.reaction;
+    forces.add(1., reaction);
+    reaction = after.reaction;
+    forces.add(1., reaction);
+    return 0.5 * (forces * increment) + fluid_work(before, after);
+  }
+
+
+
+  template <int dim>
+  double
+  ElasticStep<dim>::loads_times_displacements() const
+  {
+    // solve() left nothing but reactions in the residual
+    return full_residual * iterate + external * iterate;
+  }
+
+
+
+  template <int dim>
+  double
+  ElasticStep<dim>::fluid_work(const State &before, const State &after) const
+  {
+    if (!loads.fluid)
+      return 0.;
+    // the mean pressure of the step times the volume gained: a crack also
+    // gains volume, and the fluid does work, where only the phase field moves
+    double work = 0.;
+    for (const double time : {before.time, after.time})
+    {
+      work +=
+        0.5 * loads.fluid->energy(time, before.elastic, before.phase_field);
+      work -= 0.5 * loads.fluid->energy(time, after.elastic, after.phase_field);
+    }
+    return work;
+  }
+
+
+
+  template class ElasticStep<2>;
+  template class ElasticStep<3>;
+} // namespace MixedCracks

@@ -1,0 +1,132 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// How a step finds displacement and pressure: Newton's method, and what is left
+// to try where it cycles.
+#include <steps/step_elastic.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace MixedCracks
+{
+  using namespace dealii;
+  using Vector = LinearAlgebra::Vector;
+
+  namespace
+  {
+    // Lower bounds of the lagged phase field, one after the other; the
+    // stiffness that a crack has left is about their square.
+    constexpr double least_phase_fields[] = {0.1, 0.03, 0.01, 3e-3, 1e-3, 0.};
+    // of the problems on the way, which are but starts for the next one
+    constexpr double tolerance_on_the_way = 1e-4;
+
+    // result: @p values where they are above @p least
+    void
+    raise(const Vector &values, const double least, Vector &result)
+    {
+      const IndexSet owned = values.locally_owned_elements();
+      Vector         raised(owned, values.get_mpi_communicator());
+      for (const auto i : owned)
+        raised(i) = std::max(static_cast<double>(values(i)), least);
+      raised.compress(VectorOperation::insert);
+      result = raised;
+    }
+  } // namespace
+
+
+
+  template <int dim>
+  NewtonOutcome
+  ElasticStep<dim>::solve_once(State &trial, const NewtonOptions &options)
+  {
+    iterate = trial.elastic;
+    NewtonProblem problem;
+    problem.is_to_stop    = [&]() { return is_stopped; };
+    problem.residual      = [&]() { return evaluate_residual(trial); };
+    problem.update_matrix = [&](const bool force) {
+      return update_matrix(force);
+    };
+    problem.solve = [&](const double relative_tolerance) {
+      return solve_for_correction(relative_tolerance);
+    };
+    problem.move = [&](const double factor) {
+      iterate.add(factor, correction);
+      trial.elastic = iterate;
+    };
+    return solve_newton(problem, options);
+  }
+
+
+
+  // With little stiffness left in a crack the problem is nearly homogeneous of
+  // degree one: which parts are closed does not depend on the size of the load,
+  // so that smaller steps are no way out. The less a crack is broken, the
+  // nearer to each other are the branches; most parts keep theirs from one
+  // bound to the next.
+  template <int dim>
+  NewtonOutcome
+  ElasticStep<dim>::solve_by_continuation(State               &trial,
+                                          const Vector        &start,
+                                          const NewtonOptions &options)
+  {
+    const Vector  exact = trial.lagged_phase_field;
+    NewtonOutcome outcome;
+    unsigned int  iterations = 0, linear_iterations = 0;
+    trial.elastic = start;
+    for (const double least : least_phase_fields)
+    {
+      NewtonOptions present     = options;
+      present.enough_iterations = 0;
+      if (least > 0.)
+        present.tolerance = std::max(tolerance_on_the_way, options.tolerance);
+      raise(exact, least, trial.lagged_phase_field);
+      outcome = solve_once(trial, present);
+      iterations += outcome.iterations;
+      linear_iterations += outcome.linear_iterations;
+      if (is_stopped)
+        break;
+    }
+    trial.lagged_phase_field  = exact;
+    outcome.iterations        = iterations;
+    outcome.linear_iterations = linear_iterations;
+    return outcome;
+  }
+
+
+
+  template <int dim>
+  NewtonOutcome
+  ElasticStep<dim>::solve(State &trial, const NewtonOptions &options)
+  {
+    external           = external_forces(trial.time, trial.lagged_phase_field);
+    const Vector start = trial.elastic;
+    is_stopped         = false;
+    NewtonOutcome outcome = solve_once(trial, options);
+    // after a line search that was cut short the branches are those of the
+    // matrix again, though full steps go from one to the other
+    const bool is_cycling =
+      !outcome.converged && !is_stopped && crosses_branches;
+    // what has no size any more has no branches
+    if (is_cycling && std::isfinite(outcome.last.largest()))
+    {
+      const NewtonOutcome first = outcome;
+      outcome                   = solve_by_continuation(trial, start, options);
+      outcome.iterations += first.iterations;
+      outcome.linear_iterations += first.linear_iterations;
+      if (!outcome.converged && !is_stopped)
+        outcome.reason +=
+          "; the split of the energy goes on changing its branch, where a "
+          "crack opens and closes: Model/Residual stiffness (kappa) is too "
+          "small for it, or Model/Energy split = none will do";
+    }
+    constraints.keep_prescribed(full_residual);
+    if (trial.reaction.size() != full_residual.size())
+      trial.reaction = trial.elastic; // ghosts of the present mesh
+    trial.reaction = full_residual;
+    return outcome;
+  }
+
+
+
+  template NewtonOutcome ElasticStep<2>::solve(State &, const NewtonOptions &);
+  template NewtonOutcome ElasticStep<3>::solve(State &, const NewtonOptions &);
+} // namespace MixedCracks
