@@ -12,7 +12,8 @@
 
 namespace MixedCracks
 {
-  /// Subsection "Model": which equations are solved.
+  /// Subsection "Model": which equations are solved. How a load step couples
+  /// them is in the same subsection, see CouplingParameters.
   struct ModelParameters
   {
     std::string formulation         = "mixed";
@@ -25,13 +26,6 @@ namespace MixedCracks
     double      relaxation          = 1.;
     std::string length_scale        = "2*h";
     std::string residual_stiffness  = "0.001";
-    std::string coupling            = "iterated";
-    double      coupling_tolerance  = 1e-4;
-    double      running_tolerance   = 0.02;
-    double      over_relaxation     = 1.5;
-    double      acceleration        = 20.;
-    int         anderson_depth      = 5;
-    int         max_iterations      = 2000;
 
     /// Enters the subsection itself.
     void add_parameters(dealii::ParameterHandler &prm);

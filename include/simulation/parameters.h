@@ -15,6 +15,7 @@
 
 #include <solvers/parameters.h>
 
+#include <steps/coupling.h>
 #include <steps/load_control.h>
 
 namespace MixedCracks
@@ -27,6 +28,7 @@ namespace MixedCracks
     GeometryParameters<dim> geometry;
     MeshParameters<dim>     mesh;
     ModelParameters         model;
+    CouplingParameters      coupling;
     MaterialParameters      material;
     BoundaryConditions<dim> boundary_conditions;
     FluidParameters<dim>    fluid;

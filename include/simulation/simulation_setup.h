@@ -90,9 +90,6 @@ namespace MixedCracks
   prescribed_phase_field(const Parameters<dim> &parameters,
                          const Fields<dim>     &fields,
                          double                 time);
-
-  /// How a step couples its fields.
-  CouplingOptions coupling_options(const ModelParameters &model);
 } // namespace MixedCracks
 
 #endif

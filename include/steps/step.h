@@ -4,6 +4,7 @@
 
 #include <base/log.h>
 
+#include <steps/coupling.h>
 #include <steps/fixed_point.h>
 #include <steps/rest.h>
 #include <steps/step_elastic.h>
@@ -14,23 +15,6 @@
 
 namespace MixedCracks
 {
-  /// Which phase field the degradation is evaluated with, (M9).
-  struct CouplingOptions
-  {
-    enum class Kind
-    {
-      time_lagged,
-      extrapolated,
-      iterated
-    };
-    Kind   kind      = Kind::iterated;
-    double tolerance = 1e-3; ///< of max|phi - phi~|
-    /// the same in a step in which a crack has run and stands
-    double            running_tolerance = 1e-3;
-    FixedPointOptions acceleration;
-    unsigned int      max_iterations = 2000;
-  };
-
   /// What a load step came to; the same on every rank.
   struct StepOutcome
   {

@@ -97,60 +97,6 @@ namespace MixedCracks
                         Patterns::Double(tiny));
     }
 
-    // how the phase field and the elastic fields meet in a step
-    void
-    add_coupling(dealii::ParameterHandler &prm, ModelParameters &model)
-    {
-      prm.add_parameter(
-        "Coupling",
-        model.coupling,
-        "The phase field in the degradation (M9): 'time-lagged': that of the "
-        "last step; 'extrapolated': linearly in time, within its bounds; "
-        "'iterated': repeated until it no longer changes.",
-        Patterns::Selection("time-lagged|extrapolated|iterated"));
-      prm.add_parameter("Coupling tolerance",
-                        model.coupling_tolerance,
-                        "The iterated coupling ends when max|phi - phi~| is "
-                        "below this. Unit: 1.",
-                        Patterns::Double(tiny, 1.));
-      prm.add_parameter(
-        "Running crack tolerance",
-        model.running_tolerance,
-        "What takes the place of the coupling tolerance in a load step in which "
-        "a crack has run, phi having fallen by more than 0.9 somewhere, and "
-        "stands: over five iterations, max W - min W <= 5e-5 times the plain "
-        "iterations these are worth times W, W being the loads times their "
-        "displacements. What is left to change is done by the next step. If it "
-        "is the larger of the two, a step also ends as soon as the body is "
-        "apart and the run ends with that, see Load stepping. Unit: 1.",
-        Patterns::Double(tiny, 1.));
-      prm.add_parameter(
-        "Over-relaxation",
-        model.over_relaxation,
-        "The iterated coupling moves phi~ by this factor times (phi - phi~), "
-        "within the bounds; 1: off. Unit: 1.",
-        Patterns::Double(tiny, 2.));
-      prm.add_parameter(
-        "Largest acceleration",
-        model.acceleration,
-        "The iterated coupling never moves phi~ by more than this factor times "
-        "|phi - phi~|, and by a quarter of it where phi - phi~ grows in one and "
-        "the same direction, at the onset of a crack; 1: off. Unit: 1.",
-        Patterns::Double(1., 100.));
-      prm.add_parameter(
-        "Anderson depth",
-        model.anderson_depth,
-        "Number of earlier iterations that Anderson's method uses to speed up "
-        "the iterated coupling where it converges smoothly; 0: off. Unit: 1.",
-        Patterns::Integer(0, 20));
-      prm.add_parameter("Largest number of coupling iterations",
-                        model.max_iterations,
-                        "A step of the iterated coupling that needs more has "
-                        "failed. A running crack advances about one cell per "
-                        "iteration.",
-                        Patterns::Integer(1));
-    }
-
     double
     evaluate_in_h(const std::string &text,
                   const std::string &parameter,
@@ -184,7 +130,6 @@ namespace MixedCracks
     prm.enter_subsection("Model");
     add_equations(prm, *this);
     add_split(prm, *this);
-    add_coupling(prm, *this);
     prm.leave_subsection();
   }
 

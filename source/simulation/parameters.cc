@@ -10,6 +10,7 @@ namespace MixedCracks
     geometry.add_parameters(prm);
     mesh.add_parameters(prm);
     model.add_parameters(prm);
+    coupling.add_parameters(prm);
     material.add_parameters(prm);
     geometry.take_thickness_from(material.thickness);
     boundary_conditions.add_parameters(prm);

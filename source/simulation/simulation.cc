@@ -172,7 +172,7 @@ namespace MixedCracks
     step_solver = std::make_unique<StepSolver<dim>>(
       *elastic_step,
       *phase_field_step,
-      coupling_options(parameters.model),
+      parameters.coupling.options(),
       parameters.solver.newton,
       typename StepSolver<dim>::Callbacks{
         [this]() { return stop_now("coupling iteration"); },

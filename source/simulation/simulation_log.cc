@@ -70,11 +70,11 @@ namespace MixedCracks
   {
     const ModelParameters     &model     = parameters.model;
     const MaterialDescription &constants = material->description();
-    case_in_words = parameters.geometry.name_of_chosen() + ", " +
-                    model.formulation + ", " +
-                    (dim == 2 ? model.kinematics : "3-d") + ", " +
-                    model.crack_density + ", split " + model.energy_split +
-                    ", " + model.pressure_law + ", coupling " + model.coupling;
+    case_in_words =
+      parameters.geometry.name_of_chosen() + ", " + model.formulation + ", " +
+      (dim == 2 ? model.kinematics : "3-d") + ", " + model.crack_density +
+      ", split " + model.energy_split + ", " + model.pressure_law +
+      ", coupling " + parameters.coupling.kind;
     log.line(std::string("mixed-cracks ") + MIXED_CRACKS_VERSION +
              ", revision " + MIXED_CRACKS_REVISION + ", deal.II " +
              DEAL_II_PACKAGE_VERSION);
@@ -140,9 +140,9 @@ namespace MixedCracks
         printed("lambda/mu = %.3g with the displacement formulation: expect "
                 "locking; Model/Formulation = mixed avoids it",
                 stiffest_ratio));
-    if (parameters.model.coupling != "iterated")
+    if (parameters.coupling.kind != "iterated")
       warnings.push_back(
-        "coupling '" + parameters.model.coupling +
+        "coupling '" + parameters.coupling.kind +
         "': a running crack advances about one cell per load step, which acts "
         "as a rate effect");
     const std::string kinematics =
@@ -221,7 +221,7 @@ namespace MixedCracks
     if (!step.exceeds(tolerance))
       return;
     const std::string reason =
-      parameters.model.coupling != "iterated"
+      parameters.coupling.kind != "iterated"
         ? "the lagged phase field acts as a rate effect"
       : step.energy > 0. &&
           row.phase_field_change > parameters.load.largest_phase_field_change

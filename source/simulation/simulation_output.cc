@@ -240,7 +240,7 @@ namespace MixedCracks
     summary.revision           = MIXED_CRACKS_REVISION;
     summary.deal_ii_version    = DEAL_II_PACKAGE_VERSION;
     summary.case_in_words      = case_in_words;
-    summary.coupling           = parameters.model.coupling;
+    summary.coupling           = parameters.coupling.kind;
     summary.pressure_law       = parameters.model.pressure_law;
     summary.formulation        = parameters.model.formulation;
     summary.kinematics         = dim == 2 ? parameters.model.kinematics : "3-d";

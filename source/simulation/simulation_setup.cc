@@ -223,26 +223,6 @@ namespace MixedCracks
 
 
 
-  CouplingOptions
-  coupling_options(const ModelParameters &model)
-  {
-    CouplingOptions options;
-    options.kind =
-      model.coupling == "time-lagged"    ? CouplingOptions::Kind::time_lagged
-      : model.coupling == "extrapolated" ? CouplingOptions::Kind::extrapolated
-                                         : CouplingOptions::Kind::iterated;
-    options.tolerance = model.coupling_tolerance;
-    options.running_tolerance =
-      std::max(model.running_tolerance, model.coupling_tolerance);
-    options.acceleration.over_relaxation      = model.over_relaxation;
-    options.acceleration.largest_acceleration = model.acceleration;
-    options.acceleration.depth                = model.anderson_depth;
-    options.max_iterations                    = model.max_iterations;
-    return options;
-  }
-
-
-
 #define INSTANTIATE(dim)                                                       \
   template RefinementRegions<dim> refined_regions(const Parameters<dim> &,     \
                                                   const Triangulation<dim> &); \
