@@ -132,6 +132,31 @@ namespace MixedCracks
                           double                g_after,
                           const PointConstants &at) const;
 
+    /// gamma(phi, grad phi) = a(phi)/l + b l |grad phi|^2, 1/mm.
+    /// @p squared_gradient: |grad phi|^2, 1/mm^2.
+    double crack_surface_density(double phase_field,
+                                 double squared_gradient) const;
+
+    /// What the phase-field equation integrates against a test function:
+    /// g'(phi)/2 D + G_c/l a'(phi), MPa. @p driving_force: D, of
+    /// driving_force(); MPa.
+    double phase_field_force(double                phase_field,
+                             double                driving_force,
+                             const PointConstants &at) const;
+
+    /// Its derivative by phi: g''(phi)/2 D + G_c/l a''(phi), MPa.
+    double phase_field_stiffness(double                phase_field,
+                                 double                driving_force,
+                                 const PointConstants &at) const;
+
+    /// What it integrates against gradients is this times grad phi: the factor
+    /// 2 b G_c l, N.
+    double gradient_stiffness(const PointConstants &at) const;
+
+    /// Whether phase_field_stiffness() is the same for every phi, so that the
+    /// phase-field equation is linear but for its bounds.
+    bool phase_field_is_linear() const;
+
     /// Whether intact material is linearly elastic; see
     /// EnergySplit::adds_up().
     bool

@@ -62,7 +62,7 @@ namespace MixedCracks
     ActiveSetSolver                            solver;
     /// the matrix does not depend on the phase field, so that one active-set
     /// solution is the end
-    const bool is_quadratic;
+    const bool is_linear;
     /// of the crack density, MPa or 1/mm as the multipliers
     const double concavity;
 

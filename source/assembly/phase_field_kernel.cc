@@ -64,11 +64,8 @@ namespace MixedCracks
   double
   PhaseFieldKernel<dim>::density_at(const unsigned int q) const
   {
-    const double        length  = material.description().length_scale;
-    const CrackDensity &density = material.crack_density();
-    return density.local(points[q].phase_field) / length +
-           density.gradient_coefficient() * length *
-             points[q].gradient.norm_square();
+    return material.crack_surface_density(points[q].phase_field,
+                                          points[q].gradient.norm_square());
   }
 
 
@@ -102,22 +99,18 @@ namespace MixedCracks
   void
   PhaseFieldKernel<dim>::residual(Vector<double> &result) const
   {
-    const double        length  = material.description().length_scale;
-    const CrackDensity &density = material.crack_density();
-    result                      = 0.;
+    result = 0.;
     for (unsigned int q = 0; q < points.size(); ++q)
     {
-      const double toughness = constants[q].critical_energy_release_rate;
-      const double gradient_factor =
-        2. * density.gradient_coefficient() * toughness * length;
-      const double local =
-        0.5 * material.degradation().derivative(points[q].phase_field) *
-          points[q].driving_force +
-        toughness / length * density.local_derivative(points[q].phase_field);
+      const double gradient_stiffness =
+        material.gradient_stiffness(constants[q]);
+      const double force = material.phase_field_force(points[q].phase_field,
+                                                      points[q].driving_force,
+                                                      constants[q]);
       for (unsigned int i = 0; i < shapes.size(); ++i)
         result(i) +=
-          (local * shapes.value(i, q) +
-           gradient_factor * (points[q].gradient * shapes.gradient(i, q))) *
+          (force * shapes.value(i, q) +
+           gradient_stiffness * (points[q].gradient * shapes.gradient(i, q))) *
           geometry->weights[q];
     }
   }
@@ -128,23 +121,19 @@ namespace MixedCracks
   void
   PhaseFieldKernel<dim>::jacobian(FullMatrix<double> &result) const
   {
-    const double        length  = material.description().length_scale;
-    const CrackDensity &density = material.crack_density();
-    result                      = 0.;
+    result = 0.;
     for (unsigned int q = 0; q < points.size(); ++q)
     {
-      const double toughness = constants[q].critical_energy_release_rate;
-      const double gradient_factor =
-        2. * density.gradient_coefficient() * toughness * length;
-      const double local =
-        0.5 * material.degradation().second_derivative() *
-          points[q].driving_force +
-        toughness / length *
-          density.local_second_derivative(points[q].phase_field);
+      const double gradient_stiffness =
+        material.gradient_stiffness(constants[q]);
+      const double stiffness =
+        material.phase_field_stiffness(points[q].phase_field,
+                                       points[q].driving_force,
+                                       constants[q]);
       for (unsigned int i = 0; i < shapes.size(); ++i)
         for (unsigned int j = 0; j < shapes.size(); ++j)
-          result(i, j) += (local * shapes.value(i, q) * shapes.value(j, q) +
-                           gradient_factor *
+          result(i, j) += (stiffness * shapes.value(i, q) * shapes.value(j, q) +
+                           gradient_stiffness *
                              (shapes.gradient(i, q) * shapes.gradient(j, q))) *
                           geometry->weights[q];
     }

@@ -205,6 +205,63 @@ namespace MixedCracks
 
 
   template <int dim>
+  double
+  Material<dim>::crack_surface_density(const double phase_field,
+                                       const double squared_gradient) const
+  {
+    const double length = constants.length_scale;
+    return density->local(phase_field) / length +
+           density->gradient_coefficient() * length * squared_gradient;
+  }
+
+
+
+  template <int dim>
+  double
+  Material<dim>::phase_field_force(const double          phase_field,
+                                   const double          driving_force,
+                                   const PointConstants &at) const
+  {
+    return 0.5 * degradation_function.derivative(phase_field) * driving_force +
+           at.critical_energy_release_rate / constants.length_scale *
+             density->local_derivative(phase_field);
+  }
+
+
+
+  template <int dim>
+  double
+  Material<dim>::phase_field_stiffness(const double          phase_field,
+                                       const double          driving_force,
+                                       const PointConstants &at) const
+  {
+    return 0.5 * degradation_function.second_derivative() * driving_force +
+           at.critical_energy_release_rate / constants.length_scale *
+             density->local_second_derivative(phase_field);
+  }
+
+
+
+  template <int dim>
+  double
+  Material<dim>::gradient_stiffness(const PointConstants &at) const
+  {
+    return 2. * density->gradient_coefficient() *
+           at.critical_energy_release_rate * constants.length_scale;
+  }
+
+
+
+  template <int dim>
+  bool
+  Material<dim>::phase_field_is_linear() const
+  {
+    return density->is_quadratic();
+  }
+
+
+
+  template <int dim>
   int
   Material<dim>::branch(const Strain &strain, const double pressure) const
   {

@@ -59,7 +59,7 @@ namespace MixedCracks
     , timer(timer)
     , stop(std::move(stop))
     , solver(options_for(energy_density(material, assembler.constants_vary())))
-    , is_quadratic(material.crack_density().is_quadratic())
+    , is_linear(material.phase_field_is_linear())
     , concavity(energy_density(material, assembler.constants_vary()) *
                 material.crack_density().concavity())
   {}
@@ -154,7 +154,7 @@ namespace MixedCracks
       total.linear_iterations += earlier_linear;
       total.n_changes += earlier_changes;
       // an active set that stays as it was found has nothing left to solve
-      if (!outcome.converged || is_quadratic ||
+      if (!outcome.converged || is_linear ||
           (i > 0 && outcome.n_changes == 0 && outcome.iterations <= 1))
         return total;
     }
