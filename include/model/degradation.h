@@ -2,38 +2,34 @@
 #ifndef mixed_cracks_model_degradation_h
 #define mixed_cracks_model_degradation_h
 
+#include <base/registry.h>
+
 namespace MixedCracks
 {
-  /// Quadratic degradation g(phi) = (1 - kappa) phi^2 + kappa [model.md, 1].
+  /// How much stiffness is left: the factor g(phi) of the stress sigma+, with
+  /// g(1) = 1 (intact), g(0) = kappa (broken), growing with phi, and g'(0) = 0,
+  /// so that nothing drives broken material.
   class Degradation
   {
   public:
-    /// @p kappa: residual stiffness, dimensionless, 0 <= kappa < 1.
-    explicit Degradation(const double kappa)
-      : kappa(kappa)
-    {}
+    virtual ~Degradation() = default;
 
-    double
-    value(const double phi) const
-    {
-      return (1. - kappa) * phi * phi + kappa;
-    }
+    /// g(phi), dimensionless.
+    virtual double value(double phi) const = 0;
 
-    double
-    derivative(const double phi) const
-    {
-      return 2. * (1. - kappa) * phi;
-    }
+    /// g'(phi).
+    virtual double derivative(double phi) const = 0;
 
-    double
-    second_derivative() const
-    {
-      return 2. * (1. - kappa);
-    }
+    /// g''(phi).
+    virtual double second_derivative(double phi) const = 0;
 
-  private:
-    double kappa;
+    /// Whether g'' is the same for every phi.
+    virtual bool is_quadratic() const = 0;
   };
+
+  /// Degradations by name; the argument is kappa, the residual stiffness,
+  /// dimensionless, 0 <= kappa < 1.
+  const Registry<Degradation, double> &all_degradations();
 } // namespace MixedCracks
 
 #endif

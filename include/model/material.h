@@ -30,6 +30,7 @@ namespace MixedCracks
     std::string      crack_density;
     std::string      energy_split;
     std::string      pressure_law;
+    std::string      degradation = "quadratic";
   };
 
   /// Stress, constraint and their derivatives at one point for a given
@@ -181,7 +182,7 @@ namespace MixedCracks
     const Degradation &
     degradation() const
     {
-      return degradation_function;
+      return *degradation_function;
     }
 
     const CrackDensity &
@@ -212,7 +213,7 @@ namespace MixedCracks
 
     MaterialDescription               constants;
     PointConstants                    uniform;
-    Degradation                       degradation_function;
+    std::unique_ptr<Degradation>      degradation_function;
     std::unique_ptr<CrackDensity>     density;
     std::unique_ptr<EnergySplit<dim>> split;
     std::unique_ptr<PressureLaw>      pressure_law;

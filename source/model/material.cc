@@ -69,7 +69,9 @@ namespace MixedCracks
     , uniform{description.elastic.lambda,
               description.elastic.mu,
               description.critical_energy_release_rate}
-    , degradation_function(description.residual_stiffness)
+    , degradation_function(
+        all_degradations().make(description.degradation,
+                                description.residual_stiffness))
     , density(all_crack_densities().make(description.crack_density))
     , split(all_energy_splits<dim>().make(description.energy_split,
                                           description.deviator_dimension))
@@ -222,7 +224,7 @@ namespace MixedCracks
                                    const double          driving_force,
                                    const PointConstants &at) const
   {
-    return 0.5 * degradation_function.derivative(phase_field) * driving_force +
+    return 0.5 * degradation_function->derivative(phase_field) * driving_force +
            at.critical_energy_release_rate / constants.length_scale *
              density->local_derivative(phase_field);
   }
@@ -235,7 +237,7 @@ namespace MixedCracks
                                        const double          driving_force,
                                        const PointConstants &at) const
   {
-    return 0.5 * degradation_function.second_derivative() * driving_force +
+    return 0.5 * degradation_function->second_derivative(phase_field) * driving_force +
            at.critical_energy_release_rate / constants.length_scale *
              density->local_second_derivative(phase_field);
   }
@@ -256,7 +258,7 @@ namespace MixedCracks
   bool
   Material<dim>::phase_field_is_linear() const
   {
-    return density->is_quadratic();
+    return density->is_quadratic() && degradation_function->is_quadratic();
   }
 
 

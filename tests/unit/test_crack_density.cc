@@ -280,21 +280,49 @@ TEST(CrackDensity, ProfileSolvesTheEulerEquationWhereDamaged)
 
 
 
-TEST(Degradation, MatchesTheFormulaThroughSacado)
+TEST(Degradation, QuadraticMatchesTheFormulaThroughSacado)
 {
   for (const double kappa : {1e-10, 1e-3, 0.5})
     for (const double phi : phase_fields)
     {
-      const Degradation g(kappa);
-      const auto        exact = differentiate(
+      const auto g     = all_degradations().make("quadratic", kappa);
+      const auto exact = differentiate(
         [kappa](const std::vector<Active> &x) -> Active {
           return (1. - kappa) * x[0] * x[0] + kappa;
         },
         {phi});
-      EXPECT_NEAR(g.value(phi), exact.value, 1e-15);
-      EXPECT_NEAR(g.derivative(phi), exact.first[0], 1e-15);
-      EXPECT_NEAR(g.second_derivative(), exact.second[0][0], 1e-15);
+      EXPECT_NEAR(g->value(phi), exact.value, 1e-15);
+      EXPECT_NEAR(g->derivative(phi), exact.first[0], 1e-15);
+      EXPECT_NEAR(g->second_derivative(phi), exact.second[0][0], 1e-15);
     }
-  EXPECT_EQ(Degradation(1e-3).value(0.), 1e-3);
-  EXPECT_DOUBLE_EQ(Degradation(1e-3).value(1.), 1.);
+}
+
+
+
+// what the class promises, whatever is in the list
+TEST(Degradation, GoesFromResidualStiffnessToOne)
+{
+  constexpr double h = 1e-6;
+  for (const std::string &name : all_degradations().names())
+    for (const double kappa : {0., 1e-3, 0.5})
+    {
+      SCOPED_TRACE(name);
+      const auto g = all_degradations().make(name, kappa);
+      EXPECT_EQ(g->value(0.), kappa);
+      EXPECT_DOUBLE_EQ(g->value(1.), 1.);
+      EXPECT_EQ(g->derivative(0.), 0.);
+      for (const double phi : phase_fields)
+      {
+        EXPECT_GE(g->derivative(phi), 0.);
+        EXPECT_NEAR(g->derivative(phi),
+                    (g->value(phi + h) - g->value(phi - h)) / (2. * h),
+                    1e-8);
+        EXPECT_NEAR(g->second_derivative(phi),
+                    (g->derivative(phi + h) - g->derivative(phi - h)) /
+                      (2. * h),
+                    1e-8);
+        if (g->is_quadratic())
+          EXPECT_DOUBLE_EQ(g->second_derivative(phi), g->second_derivative(0.));
+      }
+    }
 }
