@@ -8,9 +8,9 @@
 #include <output/checkpoint_fields.h>
 #include <output/disk.h>
 
-#include <array>
 #include <cstring>
 #include <fstream>
+#include <vector>
 
 namespace MixedCracks
 {
@@ -23,32 +23,11 @@ namespace MixedCracks
     // before the values of all cells, and of each cell
     constexpr std::uint64_t header_bytes = 8, status_bytes = 4;
 
-    // in the order in which they are written
-    template <typename AnyState>
-    auto
-    on_elastic_dofs(AnyState &state)
-    {
-      return std::array<decltype(&state.elastic), 2>{
-        {&state.elastic, &state.reaction}};
-    }
-
-    template <typename AnyState>
-    auto
-    on_phase_field_dofs(AnyState &state)
-    {
-      return std::array<decltype(&state.phase_field), 3>{
-        {&state.phase_field,
-         &state.lagged_phase_field,
-         &state.previous_phase_field}};
-    }
-
-
-
-    template <int dim, std::size_t n>
+    template <int dim>
     char *
     append(
-      const DoFHandler<dim>                              &dof_handler,
-      const std::array<const LinearAlgebra::Vector *, n> &vectors,
+      const DoFHandler<dim>                            &dof_handler,
+      const std::vector<const LinearAlgebra::Vector *> &vectors,
       const typename parallel::distributed::Triangulation<dim>::cell_iterator
            &triangulation_cell,
       char *out)
@@ -68,14 +47,14 @@ namespace MixedCracks
 
 
     // only what this rank owns: each value is at home on one of its cells
-    template <int dim, std::size_t n>
+    template <int dim>
     const char *
     take(const DoFHandler<dim> &dof_handler,
          const IndexSet        &owned,
          const typename parallel::distributed::Triangulation<dim>::cell_iterator
-                                              &triangulation_cell,
-         const char                           *in,
-         std::array<LinearAlgebra::Vector, n> &vectors)
+                                            &triangulation_cell,
+         const char                         *in,
+         std::vector<LinearAlgebra::Vector> &vectors)
     {
       const typename DoFHandler<dim>::cell_iterator cell(*triangulation_cell,
                                                          &dof_handler);
@@ -96,13 +75,12 @@ namespace MixedCracks
 
 
 
-    template <std::size_t n>
     void
-    spread(std::array<LinearAlgebra::Vector, n>         &owned,
-           const LinearAlgebra::Vector                  &with_ghosts,
-           const std::array<LinearAlgebra::Vector *, n> &vectors)
+    spread(std::vector<LinearAlgebra::Vector>         &owned,
+           const LinearAlgebra::Vector                &with_ghosts,
+           const std::vector<LinearAlgebra::Vector *> &vectors)
     {
-      for (std::size_t i = 0; i < n; ++i)
+      for (std::size_t i = 0; i < vectors.size(); ++i)
       {
         owned[i].compress(VectorOperation::insert);
         *vectors[i] = with_ghosts;
@@ -119,11 +97,13 @@ namespace MixedCracks
   std::uint64_t
   checkpoint_bytes_per_cell(const Fields<dim> &fields)
   {
-    State dummy;
-    return sizeof(double) * (on_elastic_dofs(dummy).size() *
-                               fields.elastic.get_fe().n_dofs_per_cell() +
-                             on_phase_field_dofs(dummy).size() *
-                               fields.phase_field.get_fe().n_dofs_per_cell());
+    std::uint64_t n_values = 0;
+    for (const StateVector &vector : state_vectors)
+      n_values += (vector.dofs == StateDofs::elastic ? fields.elastic
+                                                     : fields.phase_field)
+                    .get_fe()
+                    .n_dofs_per_cell();
+    return sizeof(double) * n_values;
   }
 
 
@@ -150,9 +130,12 @@ namespace MixedCracks
                                 const CellIterator &cell) const
   {
     std::vector<char> bytes(checkpoint_bytes_per_cell(fields));
-    char             *out =
-      append(fields.elastic, on_elastic_dofs(state), cell, bytes.data());
-    append(fields.phase_field, on_phase_field_dofs(state), cell, out);
+    char             *out = append(fields.elastic,
+                       vectors_on(StateDofs::elastic, state),
+                       cell,
+                       bytes.data());
+    append(
+      fields.phase_field, vectors_on(StateDofs::phase_field, state), cell, out);
     return bytes;
   }
 
@@ -188,12 +171,13 @@ namespace MixedCracks
                               Triangulation      &triangulation,
                               State              &state) const
   {
-    using Vector                  = LinearAlgebra::Vector;
-    const Vector          elastic = fields.owned_vector(fields.elastic_dofs);
-    const Vector          phase = fields.owned_vector(fields.phase_field_dofs);
-    std::array<Vector, 2> on_elastic{{elastic, elastic}};
-    std::array<Vector, 3> on_phase_field{{phase, phase, phase}};
-    std::uint64_t         sum = 0;
+    const auto elastic     = vectors_on(StateDofs::elastic, state);
+    const auto phase_field = vectors_on(StateDofs::phase_field, state);
+    std::vector<LinearAlgebra::Vector> on_elastic(
+      elastic.size(), fields.owned_vector(fields.elastic_dofs));
+    std::vector<LinearAlgebra::Vector> on_phase_field(
+      phase_field.size(), fields.owned_vector(fields.phase_field_dofs));
+    std::uint64_t sum = 0;
 
     const unsigned int handle = triangulation.register_data_attach(
       [&](const CellIterator &cell, const auto &) {
@@ -220,12 +204,10 @@ namespace MixedCracks
     if (Utilities::MPI::sum(sum, fields.communicator()) != expected.sum)
       throw FileError("the values of the fields are not those that were "
                       "written");
-    spread(on_elastic,
-           fields.ghosted_vector(fields.elastic_dofs),
-           on_elastic_dofs(state));
+    spread(on_elastic, fields.ghosted_vector(fields.elastic_dofs), elastic);
     spread(on_phase_field,
            fields.ghosted_vector(fields.phase_field_dofs),
-           on_phase_field_dofs(state));
+           phase_field);
   }
 
 

@@ -15,11 +15,11 @@ namespace MixedCracks
       // the peak has no state before the first step is accepted
       if (state.elastic.size() == 0)
         return;
-      elastic.push_back(&state.elastic);
-      for (LinearAlgebra::Vector *vector : {&state.phase_field,
-                                            &state.lagged_phase_field,
-                                            &state.previous_phase_field})
-        phase_field.push_back(vector);
+      for (LinearAlgebra::Vector *field : fields_on(StateDofs::elastic, state))
+        elastic.push_back(field);
+      for (LinearAlgebra::Vector *field :
+           fields_on(StateDofs::phase_field, state))
+        phase_field.push_back(field);
     }
   } // namespace
 
