@@ -39,6 +39,10 @@ namespace MixedCracks
     double crack_surface = 0.; ///< integral of the crack density; mm, 3-d mm^2
   };
 
+  /// D = sigma+ : eps = 2 psi+, of Material::driving_force(), at the quadrature
+  /// points of the owned cells, cell by cell; MPa.
+  using DrivingForce = std::vector<double>;
+
   /// Cell averages for the output, one entry per active cell.
   template <int dim>
   struct CellData
@@ -78,8 +82,8 @@ namespace MixedCracks
     /// of constants_at on all ranks.
     void reinit();
 
-    /// First two lines of (M5). The matrix and the phase field are computed
-    /// for the state of the last call.
+    /// First two lines of (M5). elastic_matrix() and driving_force() are those
+    /// of the state of the last call.
     ElasticAssessment elastic_residual(const Vector      &elastic,
                                        const Vector      &lagged_phase_field,
                                        const Constraints &constraints,
@@ -114,8 +118,13 @@ namespace MixedCracks
       const Constraints &constraints,
       Vector            &forces) const;
 
+    /// Of the state of the last elastic_residual(), whose strains and
+    /// pressures need not be evaluated again for it.
+    DrivingForce driving_force() const;
+
     /// Third line of (M5) and, unless @p matrix is null, its Jacobian.
     void phase_field_system(const Vector                &phase_field,
+                            const DrivingForce          &driving_force,
                             const Constraints           &constraints,
                             Vector                      &residual,
                             LinearAlgebra::SparseMatrix *matrix);

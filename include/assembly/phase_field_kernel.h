@@ -39,9 +39,10 @@ namespace MixedCracks
     void interpolate(const dealii::Vector<double> &local,
                      std::vector<double>          &values) const;
 
-    /// @p driving_force: sigma+ : eps at each quadrature point, MPa.
+    /// @p driving_force: sigma+ : eps at the first quadrature point, those at
+    /// the others follow; MPa.
     void set_state(const dealii::Vector<double> &local,
-                   const std::vector<double>    &driving_force);
+                   const double                 *driving_force);
 
     /// N per node (energy density times area over phi), (M5) third line.
     void residual(dealii::Vector<double> &result) const;

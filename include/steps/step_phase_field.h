@@ -42,16 +42,18 @@ namespace MixedCracks
     /// To be called when the mesh changed.
     void reinit();
 
-    /// Solve for trial.phase_field with the elastic fields the assembler saw
-    /// last.
-    ActiveSetOutcome
-    solve(const State &accepted, const FixedPhaseField &fixed, State &trial);
+    /// Solve for trial.phase_field; @p driving_force: of the elastic fields of
+    /// @p trial.
+    ActiveSetOutcome solve(const State           &accepted,
+                           const FixedPhaseField &fixed,
+                           const DrivingForce    &driving_force,
+                           State                 &trial);
 
   private:
     void set_bounds(const State &accepted, const FixedPhaseField &fixed);
 
     /// Residual and matrix at the trial state.
-    void assemble(const State &trial);
+    void assemble(const State &trial, const DrivingForce &driving_force);
 
     const Fields<dim>                         &fields;
     const Constraints<dim>                    &constraints;

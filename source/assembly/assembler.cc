@@ -155,8 +155,28 @@ namespace MixedCracks
 
 
   template <int dim>
+  DrivingForce
+  Assembler<dim>::driving_force() const
+  {
+    const unsigned int n_points = fields.quadrature.size();
+    DrivingForce       result;
+    result.reserve(std::size_t(cells->n_cells()) * n_points);
+    for (unsigned int cell = 0; cell < cells->n_cells(); ++cell)
+    {
+      const CellConstants at = (*constants)[cell];
+      for (unsigned int q = 0; q < n_points; ++q)
+        result.push_back(
+          elastic_kernel.driving_force(tangent.present(cell)[q], at[q]));
+    }
+    return result;
+  }
+
+
+
+  template <int dim>
   void
   Assembler<dim>::phase_field_system(const Vector                &phase_field,
+                                     const DrivingForce          &driving_force,
                                      const Constraints           &constraints,
                                      Vector                      &residual,
                                      LinearAlgebra::SparseMatrix *matrix)
@@ -167,16 +187,15 @@ namespace MixedCracks
     const unsigned int     n = local_phase_field.size();
     dealii::Vector<double> local(n);
     FullMatrix<double>     local_matrix(n, n);
-    std::vector<double>    driving_force(fields.quadrature.size());
+    AssertDimension(driving_force.size(),
+                    cells->n_cells() * fields.quadrature.size());
     for (unsigned int cell = 0; cell < cells->n_cells(); ++cell)
     {
-      const CellConstants at = (*constants)[cell];
-      for (unsigned int q = 0; q < driving_force.size(); ++q)
-        driving_force[q] =
-          elastic_kernel.driving_force(tangent.present(cell)[q], at[q]);
-      phase_field_kernel.reinit(cells->geometry(cell), at);
+      phase_field_kernel.reinit(cells->geometry(cell), (*constants)[cell]);
       cells->phase_field.read(cell, phase_field, local_phase_field);
-      phase_field_kernel.set_state(local_phase_field, driving_force);
+      phase_field_kernel.set_state(
+        local_phase_field,
+        &driving_force[std::size_t(cell) * fields.quadrature.size()]);
       phase_field_kernel.residual(local);
       cells->phase_field.add(cell, local, constraints, residual);
       if (matrix != nullptr)
@@ -245,7 +264,7 @@ namespace MixedCracks
       phase_field_kernel.interpolate(local_phase_field, phase_field_values);
       sum.elastic += elastic_kernel.energy(phase_field_values);
       phase_field_kernel.reinit(cells->geometry(cell), (*constants)[cell]);
-      phase_field_kernel.set_state(local_phase_field, nothing);
+      phase_field_kernel.set_state(local_phase_field, nothing.data());
       sum.crack += phase_field_kernel.energy();
       sum.crack_surface += phase_field_kernel.crack_surface();
     }

@@ -44,8 +44,8 @@ namespace MixedCracks
 
   template <int dim>
   void
-  PhaseFieldKernel<dim>::set_state(const Vector<double>      &local,
-                                   const std::vector<double> &driving_force)
+  PhaseFieldKernel<dim>::set_state(const Vector<double> &local,
+                                   const double *const   driving_force)
   {
     for (unsigned int q = 0; q < points.size(); ++q)
     {
@@ -104,9 +104,8 @@ namespace MixedCracks
     {
       const double gradient_stiffness =
         material.gradient_stiffness(constants[q]);
-      const double force = material.phase_field_force(points[q].phase_field,
-                                                      points[q].driving_force,
-                                                      constants[q]);
+      const double force = material.phase_field_force(
+        points[q].phase_field, points[q].driving_force, constants[q]);
       for (unsigned int i = 0; i < shapes.size(); ++i)
         result(i) +=
           (force * shapes.value(i, q) +
@@ -126,10 +125,8 @@ namespace MixedCracks
     {
       const double gradient_stiffness =
         material.gradient_stiffness(constants[q]);
-      const double stiffness =
-        material.phase_field_stiffness(points[q].phase_field,
-                                       points[q].driving_force,
-                                       constants[q]);
+      const double stiffness = material.phase_field_stiffness(
+        points[q].phase_field, points[q].driving_force, constants[q]);
       for (unsigned int i = 0; i < shapes.size(); ++i)
         for (unsigned int j = 0; j < shapes.size(); ++j)
           result(i, j) += (stiffness * shapes.value(i, q) * shapes.value(j, q) +

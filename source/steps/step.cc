@@ -201,7 +201,7 @@ namespace MixedCracks
                                      StepOutcome           &outcome)
   {
     const ActiveSetOutcome active_set =
-      phase_field.solve(accepted, fixed, trial);
+      phase_field.solve(accepted, fixed, elastic.driving_force(), trial);
     ++outcome.coupling_iterations;
     outcome.linear_iterations += active_set.linear_iterations;
     outcome.active_set_size = active_set.n_active;

@@ -312,6 +312,16 @@ namespace MixedCracks
 
 
   template <int dim>
+  DrivingForce
+  ElasticStep<dim>::driving_force() const
+  {
+    TimerOutput::Scope scope(timer, "assembly");
+    return assembler.driving_force();
+  }
+
+
+
+  template <int dim>
   void
   ElasticStep<dim>::update_reaction(State &state)
   {

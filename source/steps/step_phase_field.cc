@@ -109,10 +109,12 @@ namespace MixedCracks
 
   template <int dim>
   void
-  PhaseFieldStep<dim>::assemble(const State &trial)
+  PhaseFieldStep<dim>::assemble(const State        &trial,
+                                const DrivingForce &driving_force)
   {
     const auto &hanging = constraints.phase_field_hanging_nodes();
-    assembler.phase_field_system(trial.phase_field, hanging, residual, &matrix);
+    assembler.phase_field_system(
+      trial.phase_field, driving_force, hanging, residual, &matrix);
     if (fluid)
       fluid->add_phase_field_system(trial.time,
                                     trial.elastic,
@@ -128,6 +130,7 @@ namespace MixedCracks
   ActiveSetOutcome
   PhaseFieldStep<dim>::solve(const State           &accepted,
                              const FixedPhaseField &fixed,
+                             const DrivingForce    &driving_force,
                              State                 &trial)
   {
     TimerOutput::Scope scope(timer, "phase field");
@@ -139,7 +142,7 @@ namespace MixedCracks
     ActiveSetOutcome total;
     for (unsigned int i = 0; i < max_newton_iterations; ++i)
     {
-      assemble(trial);
+      assemble(trial, driving_force);
       if (is_to_stop(stop, "assembly of the phase field"))
         break;
       const ActiveSetOutcome outcome = solver.solve(problem, iterate, residual);

@@ -189,8 +189,11 @@ namespace
         forces);
       residual = 0.;
       matrix   = 0.;
-      system.assembler->phase_field_system(
-        with_ghosts(phase_field), hanging, residual, &matrix);
+      system.assembler->phase_field_system(with_ghosts(phase_field),
+                                           system.assembler->driving_force(),
+                                           hanging,
+                                           residual,
+                                           &matrix);
     }
 
     const dealii::AffineConstraints<double> &hanging;

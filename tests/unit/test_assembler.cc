@@ -198,10 +198,12 @@ TEST_F(RefinedSquare, PhaseFieldResidualFollowsItsMatrix)
   make_sparse_matrix(fields.phase_field, dofs, hanging, phase_field_matrix);
 
   assemble(*assembler, phase_field(0.3), matrix);
+  const DrivingForce driving_force = assembler->driving_force();
   Vector first = fields.owned_vector(dofs), second = first, expected = first;
   assembler->phase_field_system(
-    phase_field(0.3), hanging, first, &phase_field_matrix);
-  assembler->phase_field_system(phase_field(0.6), hanging, second, nullptr);
+    phase_field(0.3), driving_force, hanging, first, &phase_field_matrix);
+  assembler->phase_field_system(
+    phase_field(0.6), driving_force, hanging, second, nullptr);
   Vector end = without_ghosts(phase_field(0.6), dofs);
   end.add(-1., without_ghosts(phase_field(0.3), dofs));
   hanging.set_zero(end);

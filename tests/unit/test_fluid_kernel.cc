@@ -81,7 +81,7 @@ namespace
       std::vector<double> at_points;
       phase.interpolate(phi, at_points);
       elastic.set_state(u, at_points);
-      phase.set_state(phi, std::vector<double>(at_points.size(), 0.));
+      phase.set_state(phi, std::vector<double>(at_points.size(), 0.).data());
       return elastic.energy() + phase.energy() + fluid_energy(u, phi);
     }
 
@@ -219,7 +219,7 @@ TYPED_TEST(FluidKernelOf, ResidualOfThePhaseFieldIsThatOfTheTotalEnergy)
     for (const auto &point : cell.elastic.points())
       driving.push_back(
         cell.elastic.driving_force(point, cell.material.uniform_constants()));
-    cell.phase.set_state(phi, driving);
+    cell.phase.set_state(phi, driving.data());
     LocalVector found(cell.n_phase);
     cell.phase.residual(found);
     found += cell.phase_residual(u, phi);

@@ -51,7 +51,7 @@ namespace
     residual(const LocalVector &local)
     {
       LocalVector result(local.size());
-      kernel.set_state(local, driving_force);
+      kernel.set_state(local, driving_force.data());
       kernel.residual(result);
       return result;
     }
@@ -60,7 +60,7 @@ namespace
     double
     energy(const LocalVector &local)
     {
-      kernel.set_state(local, driving_force);
+      kernel.set_state(local, driving_force.data());
       double              sum = kernel.energy();
       std::vector<double> values;
       kernel.interpolate(local, values);
@@ -124,7 +124,7 @@ TYPED_TEST(PhaseFieldKernelOf, JacobianIsTheDerivativeOfTheResidual)
       local,
       steps(local.size()));
     dealii::FullMatrix<double> found(local.size(), local.size());
-    cell.kernel.set_state(local, cell.driving_force);
+    cell.kernel.set_state(local, cell.driving_force.data());
     cell.kernel.jacobian(found);
     expect_equal_by_blocks(
       found, expected, std::vector<unsigned int>(local.size(), 0), 1e-7);

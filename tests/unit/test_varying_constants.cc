@@ -158,6 +158,7 @@ namespace
     {
       Vector residual = fields.owned_vector(fields.phase_field_dofs);
       assembler.phase_field_system(phase_field(0.),
+                                   assembler.driving_force(),
                                    constraints.phase_field_hanging_nodes(),
                                    residual,
                                    nullptr);
