@@ -6,6 +6,7 @@
 
 #include <model/point_constants.h>
 
+#include <optional>
 #include <vector>
 
 namespace MixedCracks
@@ -16,11 +17,12 @@ namespace MixedCracks
   class ConstantsTable
   {
   public:
-    /// @p constants_at: empty where @p everywhere holds everywhere. Throws
-    /// its InputError on all ranks. Collective.
-    ConstantsTable(const Fields<dim>            &fields,
-                   const PointConstants         &everywhere,
-                   const ConstantsFunction<dim> &constants_at);
+    /// @p constants_at: empty where @p everywhere holds everywhere, which is
+    /// not looked at elsewhere. Throws its InputError on all ranks.
+    /// Collective.
+    ConstantsTable(const Fields<dim>                   &fields,
+                   const std::optional<PointConstants> &everywhere,
+                   const ConstantsFunction<dim>        &constants_at);
 
     /// Of owned cell number @p cell, in the order of the loop over the cells.
     CellConstants

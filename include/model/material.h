@@ -4,7 +4,6 @@
 
 #include <model/crack_density.h>
 #include <model/degradation.h>
-#include <model/elastic_constants.h>
 #include <model/energy_split.h>
 #include <model/point_constants.h>
 #include <model/pressure_law.h>
@@ -12,25 +11,25 @@
 #include <deal.II/base/symmetric_tensor.h>
 
 #include <memory>
+#include <optional>
 #include <string>
 
 namespace MixedCracks
 {
-  /// Everything a Material is composed of, by name and by number. Constants
-  /// that vary from point to point are no numbers here (NaN), so that nobody
-  /// takes them for those of a point.
+  /// Everything a Material is composed of, by name and by number.
   struct MaterialDescription
   {
-    ElasticConstants elastic; ///< already reduced by (M6) in plane stress
-    double           critical_energy_release_rate; ///< G_c, N/mm
-    double           length_scale;                 ///< l, mm
-    double           residual_stiffness;           ///< kappa, dimensionless
-    double           relaxation;                   ///< c of (M8)
-    int              deviator_dimension;           ///< n of (M3): 2 or 3
-    std::string      crack_density;
-    std::string      energy_split;
-    std::string      pressure_law;
-    std::string      degradation = "quadratic";
+    /// those that hold everywhere; none where they vary from point to point
+    std::optional<PointConstants> constants;
+
+    double      length_scale;       ///< l, mm
+    double      residual_stiffness; ///< kappa, dimensionless
+    double      relaxation;         ///< c of (M8)
+    int         deviator_dimension; ///< n of (M3): 2 or 3
+    std::string crack_density;
+    std::string energy_split;
+    std::string pressure_law;
+    std::string degradation = "quadratic";
   };
 
   /// Stress, constraint and their derivatives at one point for a given
@@ -71,7 +70,7 @@ namespace MixedCracks
     ElasticResponse<dim>
     mixed(const Strain &strain, const double pressure, const double g) const
     {
-      return mixed(strain, pressure, g, uniform);
+      return mixed(strain, pressure, g, uniform_constants());
     }
 
     /// Displacement formulation: only stress and stress_by_strain are set,
@@ -84,7 +83,7 @@ namespace MixedCracks
     ElasticResponse<dim>
     eliminated(const Strain &strain, const double g) const
     {
-      return eliminated(strain, g, uniform);
+      return eliminated(strain, g, uniform_constants());
     }
 
     /// The p for which the constraint holds at this strain; MPa.
@@ -94,7 +93,7 @@ namespace MixedCracks
     double
     pressure(const Strain &strain, const double g) const
     {
-      return pressure(strain, g, uniform);
+      return pressure(strain, g, uniform_constants());
     }
 
     /// sigma+ : eps of (M5), third line, undegraded; MPa.
@@ -108,7 +107,7 @@ namespace MixedCracks
                   const double  pressure,
                   const double  g) const
     {
-      return driving_force(strain, pressure, g, uniform);
+      return driving_force(strain, pressure, g, uniform_constants());
     }
 
     /// Stored elastic energy density, degraded: half of stress : strain; MPa.
@@ -122,7 +121,7 @@ namespace MixedCracks
                    const double  pressure,
                    const double  g) const
     {
-      return elastic_energy(strain, pressure, g, uniform);
+      return elastic_energy(strain, pressure, g, uniform_constants());
     }
 
     /// What @p pressure, which the constraint gave for the degradation
@@ -194,14 +193,15 @@ namespace MixedCracks
     const MaterialDescription &
     description() const
     {
-      return constants;
+      return composition;
     }
 
-    /// Those of the description: no numbers where they vary.
+    /// Those that hold everywhere; throws std::bad_optional_access where they
+    /// vary.
     const PointConstants &
     uniform_constants() const
     {
-      return uniform;
+      return composition.constants.value();
     }
 
   private:
@@ -211,8 +211,7 @@ namespace MixedCracks
                                                bool                  tension,
                                                const PointConstants &at) const;
 
-    MaterialDescription               constants;
-    PointConstants                    uniform;
+    MaterialDescription               composition;
     std::unique_ptr<Degradation>      degradation_function;
     std::unique_ptr<CrackDensity>     density;
     std::unique_ptr<EnergySplit<dim>> split;

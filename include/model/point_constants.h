@@ -19,7 +19,7 @@ namespace MixedCracks
 
   /// The constants at a point (mm) of a cell with a material id. Throws
   /// InputError, perhaps on one rank alone. Empty: they are the same
-  /// everywhere, as in the MaterialDescription.
+  /// everywhere, those of the MaterialDescription.
   template <int dim>
   using ConstantsFunction =
     std::function<PointConstants(const dealii::Point<dim> &,
@@ -30,6 +30,9 @@ namespace MixedCracks
   class CellConstants
   {
   public:
+    /// Of no cell yet.
+    CellConstants() = default;
+
     /// The same at every point.
     explicit CellConstants(const PointConstants &everywhere)
       : first(&everywhere)
@@ -49,8 +52,8 @@ namespace MixedCracks
     }
 
   private:
-    const PointConstants *first;
-    unsigned int          stride;
+    const PointConstants *first  = nullptr;
+    unsigned int          stride = 0;
   };
 } // namespace MixedCracks
 

@@ -4,6 +4,8 @@
 
 #include <base/registry.h>
 
+#include <model/point_constants.h>
+
 namespace MixedCracks
 {
   /// What a pressure law says at one point, for one degradation g and one
@@ -28,26 +30,19 @@ namespace MixedCracks
     }
   };
 
-  /// Constants of a pressure law at a point.
-  struct PressureConstants
-  {
-    double lambda;     ///< first Lame parameter, MPa
-    double mu;         ///< shear modulus, MPa
-    double relaxation; ///< c of (M8), dimensionless
-  };
-
   /// How the pressure fades inside the damaged zone [model.md, 3].
   class PressureLaw
   {
   public:
     virtual ~PressureLaw() = default;
 
-    /// @p g: degradation in [0, 1]. @p tension: p is degraded here, because
-    /// it is positive or the energy split does not distinguish.
-    virtual PressureCoefficients
-    coefficients(const PressureConstants &constants,
-                 double                   g,
-                 bool                     tension) const = 0;
+    /// @p relaxation: c of (M8), dimensionless. @p g: degradation in [0, 1].
+    /// @p tension: p is degraded here, because it is positive or the energy
+    /// split does not distinguish.
+    virtual PressureCoefficients coefficients(const PointConstants &at,
+                                              double                relaxation,
+                                              double                g,
+                                              bool tension) const = 0;
 
     /// Whether stress and divergence agree for every g and sign, so that the
     /// tangent of the mixed formulation is symmetric.

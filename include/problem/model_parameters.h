@@ -50,6 +50,9 @@ namespace MixedCracks
     ElasticConstants in_kinematics(const ElasticConstants &constants,
                                    int                     dim) const;
 
+    /// The constants at a point, as the laws take them.
+    PointConstants at_point(const MaterialValues &values, int dim) const;
+
     /// The length scale (mm) for the cell size @p h (mm).
     double evaluate_length_scale(double h) const;
 
@@ -58,7 +61,7 @@ namespace MixedCracks
   };
 
   /// All that a Material needs, for the cell size @p h (mm). Constants that
-  /// vary are no numbers (NaN) in it; see MaterialField.
+  /// vary are not in it; see MaterialField.
   MaterialDescription describe_material(const ModelParameters    &model,
                                         const MaterialParameters &material,
                                         int                       dim,

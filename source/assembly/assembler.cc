@@ -38,7 +38,7 @@ namespace MixedCracks
   {
     cells     = std::make_unique<CellTable<dim>>(fields);
     constants = std::make_unique<ConstantsTable<dim>>(
-      fields, material.uniform_constants(), constants_at);
+      fields, material.description().constants, constants_at);
     tangent.reinit(cells->n_cells(), fields.quadrature.size());
   }
 
@@ -221,7 +221,7 @@ namespace MixedCracks
     dealii::Vector<double> local(local_phase_field.size());
     for (unsigned int cell = 0; cell < cells->n_cells(); ++cell)
     {
-      phase_field_kernel.reinit(cells->geometry(cell));
+      phase_field_kernel.reinit(cells->geometry(cell), (*constants)[cell]);
       phase_field_kernel.lumped_mass(local);
       cells->phase_field.add(cell, local, constraints, mass);
     }

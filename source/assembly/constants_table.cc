@@ -12,9 +12,9 @@ namespace MixedCracks
 
   template <int dim>
   ConstantsTable<dim>::ConstantsTable(
-    const Fields<dim>            &fields,
-    const PointConstants         &everywhere,
-    const ConstantsFunction<dim> &constants_at)
+    const Fields<dim>                   &fields,
+    const std::optional<PointConstants> &everywhere,
+    const ConstantsFunction<dim>        &constants_at)
     : varies(static_cast<bool>(constants_at))
     , n_points(fields.quadrature.size())
   {
@@ -24,7 +24,7 @@ namespace MixedCracks
           values.push_back(constants_at(point, id));
         });
     else
-      values.push_back(everywhere);
+      values.push_back(everywhere.value());
   }
 
 

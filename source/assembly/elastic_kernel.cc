@@ -27,7 +27,6 @@ namespace MixedCracks
     , mixed(mixed)
     , displacement_shapes(element.base_element(0), quadrature)
     , pressure_shapes(pressure_element(element, mixed), quadrature)
-    , constants(material.uniform_constants())
     , displacement_dofs(displacement_shapes.size())
     , pressure_dofs(mixed ? pressure_shapes.size() : 0)
     , states(quadrature.size())

@@ -11,7 +11,6 @@ namespace MixedCracks
                                           const Material<dim>      &material)
     : material(material)
     , shapes(element, quadrature)
-    , constants(material.uniform_constants())
     , points(quadrature.size())
   {}
 

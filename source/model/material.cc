@@ -65,10 +65,7 @@ namespace MixedCracks
 
   template <int dim>
   Material<dim>::Material(const MaterialDescription &description)
-    : constants(description)
-    , uniform{description.elastic.lambda,
-              description.elastic.mu,
-              description.critical_energy_release_rate}
+    : composition(description)
     , degradation_function(
         all_degradations().make(description.degradation,
                                 description.residual_stiffness))
@@ -77,13 +74,13 @@ namespace MixedCracks
                                           description.deviator_dimension))
     , pressure_law(all_pressure_laws().make(description.pressure_law))
   {
-    // not a number where they vary
-    Assert(
-      !(description.elastic.lambda <= 0. || description.elastic.mu <= 0.) &&
-        description.relaxation > 0. && description.residual_stiffness >= 0. &&
-        description.residual_stiffness < 1.,
-      dealii::ExcMessage("The constants of a material must be checked "
-                         "before it is made."));
+    Assert((!description.constants || (description.constants->lambda > 0. &&
+                                       description.constants->mu > 0.)) &&
+             description.relaxation > 0. &&
+             description.residual_stiffness >= 0. &&
+             description.residual_stiffness < 1.,
+           dealii::ExcMessage("The constants of a material must be checked "
+                              "before it is made."));
   }
 
 
@@ -211,7 +208,7 @@ namespace MixedCracks
   Material<dim>::crack_surface_density(const double phase_field,
                                        const double squared_gradient) const
   {
-    const double length = constants.length_scale;
+    const double length = composition.length_scale;
     return density->local(phase_field) / length +
            density->gradient_coefficient() * length * squared_gradient;
   }
@@ -225,7 +222,7 @@ namespace MixedCracks
                                    const PointConstants &at) const
   {
     return 0.5 * degradation_function->derivative(phase_field) * driving_force +
-           at.critical_energy_release_rate / constants.length_scale *
+           at.critical_energy_release_rate / composition.length_scale *
              density->local_derivative(phase_field);
   }
 
@@ -237,8 +234,9 @@ namespace MixedCracks
                                        const double          driving_force,
                                        const PointConstants &at) const
   {
-    return 0.5 * degradation_function->second_derivative(phase_field) * driving_force +
-           at.critical_energy_release_rate / constants.length_scale *
+    return 0.5 * degradation_function->second_derivative(phase_field) *
+             driving_force +
+           at.critical_energy_release_rate / composition.length_scale *
              density->local_second_derivative(phase_field);
   }
 
@@ -249,7 +247,7 @@ namespace MixedCracks
   Material<dim>::gradient_stiffness(const PointConstants &at) const
   {
     return 2. * density->gradient_coefficient() *
-           at.critical_energy_release_rate * constants.length_scale;
+           at.critical_energy_release_rate * composition.length_scale;
   }
 
 
@@ -289,8 +287,7 @@ namespace MixedCracks
                                        const bool            tension,
                                        const PointConstants &at) const
   {
-    return pressure_law->coefficients(
-      {at.lambda, at.mu, constants.relaxation}, g, tension);
+    return pressure_law->coefficients(at, composition.relaxation, g, tension);
   }
 
 

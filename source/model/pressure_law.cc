@@ -17,16 +17,16 @@ namespace MixedCracks
     {
     public:
       PressureCoefficients
-      coefficients(const PressureConstants &constants,
-                   const double             g,
-                   const bool               tension) const override
+      coefficients(const PointConstants &at,
+                   const double          relaxation,
+                   const double          g,
+                   const bool            tension) const override
       {
-        const double intact_compliance = 1. / constants.lambda;
+        const double intact_compliance = 1. / at.lambda;
         if (!tension)
           return {1., 1., intact_compliance, 1.};
-        const double added_compliance =
-          1. / (constants.relaxation * constants.mu);
-        const double inverse_g = 1. / std::max(g, smallest_degradation);
+        const double added_compliance = 1. / (relaxation * at.mu);
+        const double inverse_g        = 1. / std::max(g, smallest_degradation);
         return {1.,
                 1.,
                 intact_compliance + (inverse_g - 1.) * added_compliance,
@@ -47,11 +47,12 @@ namespace MixedCracks
     {
     public:
       PressureCoefficients
-      coefficients(const PressureConstants &constants,
-                   const double             g,
-                   const bool               tension) const override
+      coefficients(const PointConstants &at,
+                   const double,
+                   const double g,
+                   const bool   tension) const override
       {
-        return {tension ? g : 1., g, 1. / constants.lambda, 1.};
+        return {tension ? g : 1., g, 1. / at.lambda, 1.};
       }
 
       bool
@@ -68,11 +69,12 @@ namespace MixedCracks
     {
     public:
       PressureCoefficients
-      coefficients(const PressureConstants &constants,
-                   const double             g,
-                   const bool               tension) const override
+      coefficients(const PointConstants &at,
+                   const double,
+                   const double g,
+                   const bool   tension) const override
       {
-        return {tension ? g : 1., 1., 1. / constants.lambda, 1.};
+        return {tension ? g : 1., 1., 1. / at.lambda, 1.};
       }
 
       bool

@@ -185,6 +185,15 @@ namespace MixedCracks
 
 
 
+  PointConstants
+  ModelParameters::at_point(const MaterialValues &values, const int dim) const
+  {
+    const ElasticConstants elastic = in_kinematics(values.elastic, dim);
+    return {elastic.lambda, elastic.mu, values.critical_energy_release_rate};
+  }
+
+
+
   double
   ModelParameters::evaluate_length_scale(const double h) const
   {
@@ -220,19 +229,8 @@ namespace MixedCracks
                     const double              h)
   {
     MaterialDescription description;
-    if (material.varies())
-    {
-      const double different = std::numeric_limits<double>::quiet_NaN();
-      description.elastic    = {different, different};
-      description.critical_energy_release_rate = different;
-    }
-    else
-    {
-      const MaterialValues values = material.uniform_values();
-      description.elastic         = model.in_kinematics(values.elastic, dim);
-      description.critical_energy_release_rate =
-        values.critical_energy_release_rate;
-    }
+    if (!material.varies())
+      description.constants = model.at_point(material.uniform_values(), dim);
     description.length_scale       = model.evaluate_length_scale(h);
     description.residual_stiffness = model.evaluate_residual_stiffness(h);
     description.relaxation         = model.relaxation;

@@ -71,13 +71,10 @@ namespace MixedCracks
   {
     if (!field.varies())
       return {};
-    return [model, field](const Point<dim>        &point,
-                          const types::material_id id) {
-      const MaterialValues   values  = field(point, id);
-      const ElasticConstants elastic = model.in_kinematics(values.elastic, dim);
-      return PointConstants{
-        elastic.lambda, elastic.mu, values.critical_energy_release_rate};
-    };
+    return
+      [model, field](const Point<dim> &point, const types::material_id id) {
+        return model.at_point(field(point, id), dim);
+      };
   }
 
 

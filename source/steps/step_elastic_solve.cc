@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace MixedCracks
 {
@@ -19,6 +20,22 @@ namespace MixedCracks
     // of the problems on the way, which are but starts for the next one
     constexpr double tolerance_on_the_way = 1e-4;
 
+    // Factors are used for a matrix whose degradation differs by this much at
+    // most: Newton's method then needs another cheap solve or two instead of
+    // a factorisation.
+    constexpr double largest_degradation_change = 0.5;
+
+    const char *const asked_to_stop = "asked to stop";
+
+    // no number where the scale has overflown: nothing is small beside it
+    double
+    relative(const double size, const double scale)
+    {
+      if (!std::isfinite(scale))
+        return std::numeric_limits<double>::quiet_NaN();
+      return size == 0. ? 0. : size / scale;
+    }
+
     // result: @p values where they are above @p least
     void
     raise(const Vector &values, const double least, Vector &result)
@@ -31,6 +48,82 @@ namespace MixedCracks
       result = raised;
     }
   } // namespace
+
+
+
+  template <int dim>
+  ResidualSize
+  ElasticStep<dim>::evaluate_residual(const State &trial)
+  {
+    TimerOutput::Scope scope(timer, "assembly");
+    assessment = assembler.elastic_residual(trial.elastic,
+                                            trial.lagged_phase_field,
+                                            constraints.elastic_hanging_nodes(),
+                                            full_residual);
+    full_residual.add(-1., external);
+    residual = full_residual;
+    constraints.drop_prescribed(residual);
+    crosses_branches |= assessment.branch_changes > 0.;
+
+    // sizes of the two fields apart: their units differ
+    std::vector<double> squares(2, 0.);
+    const double       *values = residual.begin();
+    for (std::size_t i = 0; i < pressure_dofs.size(); ++i)
+      squares[pressure_dofs[i] ? 1 : 0] += values[i] * values[i];
+    Utilities::MPI::sum(squares, fields.communicator(), squares);
+    const double load = external.l2_norm();
+    ask_to_stop("assembly of the residual");
+    return {relative(std::sqrt(squares[0]),
+                     std::max(assessment.displacement_scale, load)),
+            relative(std::sqrt(squares[1]), assessment.pressure_scale)};
+  }
+
+
+
+  template <int dim>
+  LinearOutcome
+  ElasticStep<dim>::update_matrix(const bool force)
+  {
+    // assembly is cheap, factors are not
+    const double allowed_change =
+      force || !solver->is_direct() ? 0. : largest_degradation_change;
+    if (assessment.branch_changes == 0. &&
+        assessment.degradation_change <= allowed_change)
+      return {};
+    {
+      TimerOutput::Scope scope(timer, "assembly");
+      assembler.elastic_matrix(constraints.elastic_corrections(), matrix);
+    }
+    if (ask_to_stop("assembly of the matrix"))
+      return {false, 0, asked_to_stop};
+    TimerOutput::Scope  scope(timer, "factorisation");
+    const unsigned int  before  = solver->n_setups();
+    const LinearOutcome outcome = solver->factorize();
+    count.factorizations += solver->n_setups() - before;
+    if (ask_to_stop("factorisation, " + solver->description()))
+      return {false, 0, asked_to_stop};
+    return outcome;
+  }
+
+
+
+  template <int dim>
+  LinearOutcome
+  ElasticStep<dim>::solve_for_correction(const double relative_tolerance)
+  {
+    TimerOutput::Scope scope(timer, "solve");
+    ++count.solves;
+    crosses_branches = false;
+    residual *= -1.;
+    const unsigned int  before = solver->n_setups();
+    const LinearOutcome outcome =
+      solver->solve(correction, residual, relative_tolerance);
+    count.factorizations += solver->n_setups() - before;
+    constraints.elastic_corrections().distribute(correction);
+    if (ask_to_stop("solution, " + solver->description()))
+      return {false, outcome.iterations, asked_to_stop};
+    return outcome;
+  }
 
 
 
@@ -127,6 +220,11 @@ namespace MixedCracks
 
 
 
-  template NewtonOutcome ElasticStep<2>::solve(State &, const NewtonOptions &);
-  template NewtonOutcome ElasticStep<3>::solve(State &, const NewtonOptions &);
+#define INSTANTIATE(dim)                                                     \
+  template ResidualSize  ElasticStep<dim>::evaluate_residual(const State &); \
+  template NewtonOutcome ElasticStep<dim>::solve(State &,                    \
+                                                 const NewtonOptions &);
+  INSTANTIATE(2)
+  INSTANTIATE(3)
+#undef INSTANTIATE
 } // namespace MixedCracks

@@ -25,9 +25,10 @@ namespace MixedCracks
     double
     energy_density(const Material<dim> &material, const bool constants_vary)
     {
-      const MaterialDescription &constants = material.description();
-      return (constants_vary ? 1. : constants.critical_energy_release_rate) /
-             constants.length_scale;
+      return (constants_vary
+                ? 1.
+                : material.uniform_constants().critical_energy_release_rate) /
+             material.description().length_scale;
     }
 
 

@@ -77,8 +77,8 @@ namespace
     measure(const double patience)
     {
       const MaterialDescription &material = system.material.description();
-      const double               density =
-        material.critical_energy_release_rate / material.length_scale;
+      const double density = material.constants->critical_energy_release_rate /
+                             material.length_scale;
       ActiveSetOptions options;
       options.tolerance = 1e-8 * density;
       options.patience  = patience;

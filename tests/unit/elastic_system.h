@@ -60,15 +60,15 @@ namespace MixedCracks
         , triangulation(MPI_COMM_WORLD)
         , fields(triangulation, {options.mixed, options.degree})
         , constraints(fields, clamps())
-        , material(MaterialDescription{{options.lambda, options.mu},
-                                       1.,
-                                       0.1,
-                                       options.kappa,
-                                       1.,
-                                       dim,
-                                       options.density,
-                                       options.split,
-                                       options.law})
+        , material(
+            MaterialDescription{PointConstants{options.lambda, options.mu, 1.},
+                                0.1,
+                                options.kappa,
+                                1.,
+                                dim,
+                                options.density,
+                                options.split,
+                                options.law})
         , auxiliaries(fields, constraints)
       {
         make_mesh();

@@ -25,7 +25,8 @@ namespace MixedCracks
     inline MaterialDescription
     description(const std::string &split, const std::string &law, const int n)
     {
-      return {{lambda, mu}, 17., 0.3, 1e-3, 0.7, n, "Wu", split, law};
+      return {
+        PointConstants{lambda, mu, 17.}, 0.3, 1e-3, 0.7, n, "Wu", split, law};
     }
 
     /// Call test(material) for every split, pressure law and n.

@@ -15,7 +15,8 @@ using namespace MixedCracks::Testing;
 
 namespace
 {
-  const PressureConstants   constants{2593.4, 2.4, 0.7};
+  const PointConstants      constants{2593.4, 2.4, 1.};
+  constexpr double          relaxation   = 0.7;
   const std::vector<double> degradations = {1e-4, 0.03, 0.5, 0.97, 1.};
 
   // Momentum pressure, constraint and driving pressure as functions of
@@ -41,8 +42,7 @@ namespace
      {[](const std::vector<Active> &x, double) -> Active { return x[1]; },
       [](const std::vector<Active> &x, const double g) -> Active {
         return x[0] - x[1] / constants.lambda -
-               (1. - g) / (g * constants.relaxation * constants.mu) *
-                 positive_part(x[1]);
+               (1. - g) / (g * relaxation * constants.mu) * positive_part(x[1]);
       },
       [](const std::vector<Active> &x, const double g) -> Active {
         return positive_part(x[1]) / g;
@@ -80,7 +80,8 @@ TEST(PressureLaw, MatchesTheEquationsThroughSacado)
         SCOPED_TRACE(name + ", g = " + std::to_string(g));
         const bool                 tension = p > 0.;
         const PressureCoefficients found =
-          all_pressure_laws().make(name)->coefficients(constants, g, tension);
+          all_pressure_laws().make(name)->coefficients(
+            constants, relaxation, g, tension);
         const double volume_change = 1e-3;
         const auto   exact         = [&](const Equations::Function &function) {
           return differentiate(
@@ -112,7 +113,8 @@ TEST(PressureLaw, IntactMaterialIsLinearlyElastic)
     {
       SCOPED_TRACE(name);
       const PressureCoefficients law =
-        all_pressure_laws().make(name)->coefficients(constants, 1., tension);
+        all_pressure_laws().make(name)->coefficients(
+          constants, relaxation, 1., tension);
       EXPECT_DOUBLE_EQ(law.stress, 1.);
       EXPECT_DOUBLE_EQ(law.divergence, 1.);
       EXPECT_DOUBLE_EQ(law.compliance, 1. / constants.lambda);
@@ -134,7 +136,7 @@ TEST(PressureLaw, IsSymmetricWhenItSaysSo)
       for (const bool tension : {true, false})
       {
         const PressureCoefficients found =
-          law->coefficients(constants, g, tension);
+          law->coefficients(constants, relaxation, g, tension);
         coincidence = coincidence && found.stress == found.divergence;
       }
     EXPECT_EQ(law->is_symmetric(), coincidence);
@@ -154,9 +156,9 @@ TEST(PressureLaw, StiffnessFadesInTensionOnly)
     for (const double g : degradations)
     {
       const PressureCoefficients tension =
-        law->coefficients(constants, g, true);
+        law->coefficients(constants, relaxation, g, true);
       const PressureCoefficients closed =
-        law->coefficients(constants, g, false);
+        law->coefficients(constants, relaxation, g, false);
       EXPECT_GT(tension.eliminated_stiffness(), softer);
       EXPECT_GE(tension.stress / tension.compliance, transmits);
       EXPECT_LE(tension.eliminated_stiffness(),
@@ -166,7 +168,8 @@ TEST(PressureLaw, StiffnessFadesInTensionOnly)
       softer    = tension.eliminated_stiffness();
       transmits = tension.stress / tension.compliance;
     }
-    EXPECT_LT(law->coefficients(constants, 1e-8, true).eliminated_stiffness(),
+    EXPECT_LT(law->coefficients(constants, relaxation, 1e-8, true)
+                .eliminated_stiffness(),
               1e-6 * constants.lambda);
   }
 }
@@ -180,7 +183,7 @@ TEST(PressureLaw, RelaxedBulkFadesWithTheShearStiffness)
   const auto   stiffness = [g](const double lambda) {
     return all_pressure_laws()
       .make("relaxed bulk")
-      ->coefficients({lambda, 2.4, 0.7}, g, true)
+      ->coefficients({lambda, 2.4, 1.}, 0.7, g, true)
       .eliminated_stiffness();
   };
   EXPECT_NEAR(stiffness(1e6) / (0.7 * g * 2.4), 1., 2e-3);

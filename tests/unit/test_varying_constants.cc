@@ -59,9 +59,7 @@ namespace
     without_constants()
     {
       MaterialDescription result = description("none", "degraded bulk", 3);
-      const double        none   = std::numeric_limits<double>::quiet_NaN();
-      result.elastic             = {none, none};
-      result.critical_energy_release_rate = none;
+      result.constants.reset();
       return result;
     }
 
