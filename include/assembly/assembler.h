@@ -27,8 +27,8 @@ namespace MixedCracks
     double pressure_scale;     ///< mm^2, that of p
     /// largest relative change of the degradation since the last matrix
     double degradation_change;
-    /// number of quadrature points whose split changed its branch since then
-    double branch_changes;
+    /// number of quadrature points whose split changed its regime since then
+    double regime_changes;
   };
 
   /// Energies per mm of thickness (N), in 3-d in mJ.

@@ -21,7 +21,7 @@ namespace MixedCracks
     dealii::SymmetricTensor<2, dim> strain;
     double                          pressure;    ///< MPa
     double                          degradation; ///< g
-    int                             branch;      ///< see Material::branch()
+    int tangent_regime; ///< see Material::tangent_regime()
   };
 
   /// What ElasticKernel::set_state() evaluates: nothing but the points, which

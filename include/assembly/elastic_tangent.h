@@ -12,8 +12,8 @@ namespace MixedCracks
   struct TangentDistance
   {
     double degradation = 0.; ///< largest relative change of g
-    /// number of quadrature points whose split changed its branch
-    double branches = 0.;
+    /// number of quadrature points whose split changed its regime
+    double regime_changes = 0.;
   };
 
   /// The present state at the quadrature points of the owned cells, and the one

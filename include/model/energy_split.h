@@ -47,7 +47,8 @@ namespace MixedCracks
     /// A small integer that is the same for two strains of this split exactly
     /// when both have the same tangents, so that a matrix need not be built
     /// again; -1 when the tangents change with every strain.
-    virtual int branch(const dealii::SymmetricTensor<2, dim> &strain) const = 0;
+    virtual int
+    tangent_regime(const dealii::SymmetricTensor<2, dim> &strain) const = 0;
 
     /// Whether the parts add up to 2 mu eps, so that intact material is
     /// linearly elastic. Only the pair of [Mang21] as printed does not.

@@ -176,7 +176,7 @@ namespace MixedCracks
     /// A number that two points share exactly when mixed() (or eliminated(),
     /// with pressure 0) gives them the same derivatives for the same g;
     /// negative when it cannot be said.
-    int branch(const Strain &strain, double pressure) const;
+    int tangent_regime(const Strain &strain, double pressure) const;
 
     const Degradation &
     degradation() const

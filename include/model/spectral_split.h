@@ -41,7 +41,8 @@ namespace MixedCracks
 
     /// Only where all principal strains have one sign does the tangent not
     /// depend on their directions.
-    int branch(const dealii::SymmetricTensor<2, dim> &strain) const override;
+    int tangent_regime(
+      const dealii::SymmetricTensor<2, dim> &strain) const override;
 
     bool
     splits_pressure() const override

@@ -19,7 +19,7 @@ namespace MixedCracks
     double displacement = 0.;
     double pressure     = 0.;
 
-    /// No number where one of them is none.
+    /// NaN where one of them is.
     double
     largest() const
     {

@@ -63,7 +63,7 @@ namespace MixedCracks
     void predict(const State &accepted, State &trial) const;
 
     /// Solve for trial.elastic with trial.lagged_phase_field; sets
-    /// trial.reaction too. Where Newton's method cycles between the branches
+    /// trial.reaction too. Where Newton's method cycles between the regimes
     /// of the split, again by way of cracks that are less broken.
     NewtonOutcome solve(State &trial, const NewtonOptions &options);
 
@@ -164,9 +164,9 @@ namespace MixedCracks
     LinearAlgebra::Vector         correction;
     LinearAlgebra::Vector         external;
     ElasticAssessment             assessment;
-    /// whether any place that the present correction led to has another branch
+    /// whether any place that the present correction led to has another regime
     /// of the split than the matrix
-    bool   crosses_branches = false;
+    bool   crosses_regimes = false;
     Counts count;
   };
 } // namespace MixedCracks

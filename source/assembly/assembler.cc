@@ -92,7 +92,7 @@ namespace MixedCracks
     return {std::sqrt(sum(displacement_scale)),
             std::sqrt(sum(pressure_scale)),
             Utilities::MPI::max(distance.degradation, communicator),
-            sum(distance.branches)};
+            sum(distance.regime_changes)};
   }
 
 

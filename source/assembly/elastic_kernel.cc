@@ -94,9 +94,10 @@ namespace MixedCracks
       else
         point.pressure =
           material.pressure(point.strain, point.degradation, constants[q]);
-      point.branch = point.degradation == 1.
-                       ? 0
-                       : material.branch(point.strain, point.pressure);
+      point.tangent_regime =
+        point.degradation == 1.
+          ? 0
+          : material.tangent_regime(point.strain, point.pressure);
     }
     evaluate_responses(wanted);
   }

@@ -19,8 +19,8 @@ namespace MixedCracks
     bool
     same_tangent(const ElasticPoint<dim> &a, const ElasticPoint<dim> &b)
     {
-      return a.degradation == b.degradation && a.branch == b.branch &&
-             a.branch >= 0;
+      return a.degradation == b.degradation &&
+             a.tangent_regime == b.tangent_regime && a.tangent_regime >= 0;
     }
   } // namespace
 
@@ -66,8 +66,9 @@ namespace MixedCracks
                  std::abs(now[q].degradation - then[q].degradation) /
                    std::max(std::min(now[q].degradation, then[q].degradation),
                             std::numeric_limits<double>::min()));
-      if (now[q].branch < 0 || now[q].branch != then[q].branch)
-        distance.branches += 1.;
+      if (now[q].tangent_regime < 0 ||
+          now[q].tangent_regime != then[q].tangent_regime)
+        distance.regime_changes += 1.;
     }
   }
 

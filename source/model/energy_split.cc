@@ -36,7 +36,7 @@ namespace MixedCracks
       }
 
       int
-      branch(const SymmetricTensor<2, dim> &) const override
+      tangent_regime(const SymmetricTensor<2, dim> &) const override
       {
         return 0;
       }
@@ -107,7 +107,7 @@ namespace MixedCracks
       }
 
       int
-      branch(const SymmetricTensor<2, dim> &strain) const override
+      tangent_regime(const SymmetricTensor<2, dim> &strain) const override
       {
         return expands(strain) ? 1 : 0;
       }

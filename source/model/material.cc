@@ -263,11 +263,12 @@ namespace MixedCracks
 
   template <int dim>
   int
-  Material<dim>::branch(const Strain &strain, const double pressure) const
+  Material<dim>::tangent_regime(const Strain &strain,
+                                const double  pressure) const
   {
-    const int split_branch = split->branch(strain);
-    return split_branch < 0 ? -1
-                            : 2 * split_branch + (is_tension(pressure) ? 1 : 0);
+    const int split_regime = split->tangent_regime(strain);
+    return split_regime < 0 ? -1
+                            : 2 * split_regime + (is_tension(pressure) ? 1 : 0);
   }
 
 

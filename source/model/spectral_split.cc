@@ -226,7 +226,8 @@ namespace MixedCracks
 
   template <int dim>
   int
-  SpectralSplit<dim>::branch(const SymmetricTensor<2, dim> &strain) const
+  SpectralSplit<dim>::tangent_regime(
+    const SymmetricTensor<2, dim> &strain) const
   {
     const int sign = common_sign(strain);
     return sign == 0 ? -1 : (sign > 0 ? 1 : 0);

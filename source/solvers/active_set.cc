@@ -111,7 +111,7 @@ namespace MixedCracks
         counts[1] += before.empty() || state.sides[i] != before[i];
         if (state.is_free[i])
           worst = std::max(worst, std::abs(r / p.scale.begin()[i]));
-        // what is no number is neither held nor the largest
+        // NaN is neither held nor the largest
         counts[2] += !std::isfinite(r) || !std::isfinite(state.x.begin()[i]);
       }
       const MPI_Comm communicator = state.x.get_mpi_communicator();

@@ -28,7 +28,7 @@ namespace MixedCracks
       double       factor = 1.;
       for (unsigned int i = 0; i < options.max_bisections; ++i)
       {
-        // '<' rather than '>=': a residual that is no number is no progress
+        // '<' rather than '>=': a residual that is NaN is no progress
         if (size.largest() < before.largest() || is_to_stop(problem))
           break;
         problem.move(-0.5 * factor);

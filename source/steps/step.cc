@@ -35,8 +35,8 @@ namespace MixedCracks
 
 
 
-    // max over the nodes of a - b, or of its modulus; infinite where a number
-    // is none
+    // max over the nodes of a - b, or of its modulus; infinite where one of
+    // them is NaN
     double
     largest_difference(const Vector &a, const Vector &b, const bool modulus)
     {

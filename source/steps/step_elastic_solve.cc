@@ -27,7 +27,7 @@ namespace MixedCracks
 
     const char *const asked_to_stop = "asked to stop";
 
-    // no number where the scale has overflown: nothing is small beside it
+    // NaN where the scale has overflown: nothing is small compared with it
     double
     relative(const double size, const double scale)
     {
@@ -63,7 +63,7 @@ namespace MixedCracks
     full_residual.add(-1., external);
     residual = full_residual;
     constraints.drop_prescribed(residual);
-    crosses_branches |= assessment.branch_changes > 0.;
+    crosses_regimes |= assessment.regime_changes > 0.;
 
     // sizes of the two fields apart: their units differ
     std::vector<double> squares(2, 0.);
@@ -87,7 +87,7 @@ namespace MixedCracks
     // assembly is cheap, factors are not
     const double allowed_change =
       force || !solver->is_direct() ? 0. : largest_degradation_change;
-    if (assessment.branch_changes == 0. &&
+    if (assessment.regime_changes == 0. &&
         assessment.degradation_change <= allowed_change)
       return {};
     {
@@ -113,7 +113,7 @@ namespace MixedCracks
   {
     TimerOutput::Scope scope(timer, "solve");
     ++count.solves;
-    crosses_branches = false;
+    crosses_regimes = false;
     residual *= -1.;
     const unsigned int  before = solver->n_setups();
     const LinearOutcome outcome =
@@ -153,7 +153,7 @@ namespace MixedCracks
   // With little stiffness left in a crack the problem is nearly homogeneous of
   // degree one: which parts are closed does not depend on the size of the load,
   // so that smaller steps are no way out. The less a crack is broken, the
-  // nearer to each other are the branches; most parts keep theirs from one
+  // nearer to each other are the regimes; most parts keep theirs from one
   // bound to the next.
   template <int dim>
   NewtonOutcome
@@ -194,11 +194,11 @@ namespace MixedCracks
     const Vector start = trial.elastic;
     is_stopped         = false;
     NewtonOutcome outcome = solve_once(trial, options);
-    // after a line search that was cut short the branches are those of the
+    // after a line search that was cut short the regimes are those of the
     // matrix again, though full steps go from one to the other
     const bool is_cycling =
-      !outcome.converged && !is_stopped && crosses_branches;
-    // what has no size any more has no branches
+      !outcome.converged && !is_stopped && crosses_regimes;
+    // what has no size any more has no regimes
     if (is_cycling && std::isfinite(outcome.last.largest()))
     {
       const NewtonOutcome first = outcome;

@@ -45,7 +45,7 @@ namespace MixedCracks
       std::string  density         = "AT2";
       std::string  split           = "volumetric-deviatoric";
       std::string  law             = "relaxed bulk";
-      /// of the pressure, hence the branch of the split
+      /// of the pressure, hence the regime of the split
       std::function<double(double x)> pressure = [](double) { return 1.; };
     };
 

@@ -14,9 +14,9 @@ namespace
   using Points = std::vector<ElasticPoint<2>>;
 
   Points
-  points(const double degradation, const int branch)
+  points(const double degradation, const int regime)
   {
-    return Points(n_points, {{}, 0., degradation, branch});
+    return Points(n_points, {{}, 0., degradation, regime});
   }
 
   ElasticTangent<2>
@@ -53,15 +53,15 @@ namespace
     for (unsigned int cell = 0; cell < n_cells; ++cell)
       tangent.compare(cell, distance);
     EXPECT_DOUBLE_EQ(distance.degradation, 1.);
-    EXPECT_EQ(distance.branches, 0.);
+    EXPECT_EQ(distance.regime_changes, 0.);
 
-    changed.front().branch = 1;
+    changed.front().tangent_regime = 1;
     tangent.set_present(3, changed);
     tangent.compare(3, distance);
-    EXPECT_EQ(distance.branches, 1.);
+    EXPECT_EQ(distance.regime_changes, 1.);
   }
 
-  // a tangent that depends on the strain within its branch
+  // a tangent that depends on the strain within its regime
   TEST(ElasticTangent, NegativeBranchesAlwaysDiffer)
   {
     ElasticTangent<2> tangent = tangent_with_matrix();
@@ -70,7 +70,7 @@ namespace
     EXPECT_EQ(tangent.changed_cells(), std::vector<unsigned int>{7});
     TangentDistance distance;
     tangent.compare(7, distance);
-    EXPECT_EQ(distance.branches, n_points);
+    EXPECT_EQ(distance.regime_changes, n_points);
   }
 
   TEST(ElasticTangent, FewChangesAreCorrectedButNotForEver)

@@ -210,14 +210,14 @@ TYPED_TEST(EnergySplitTest, BranchTellsWhetherTheTangentsAreTheSame)
     for (const auto &a : strains)
       for (const auto &b : strains)
       {
-        if (split.branch(a) < 0 || split.branch(b) < 0)
+        if (split.tangent_regime(a) < 0 || split.tangent_regime(b) < 0)
           continue;
         const auto parts_a = split.evaluate(a, mu);
         const auto parts_b = split.evaluate(b, mu);
         const bool are_same =
           parts_a.positive_tangent == parts_b.positive_tangent &&
           parts_a.negative_tangent == parts_b.negative_tangent;
-        EXPECT_EQ(are_same, split.branch(a) == split.branch(b));
+        EXPECT_EQ(are_same, split.tangent_regime(a) == split.tangent_regime(b));
       }
   });
 }

@@ -177,7 +177,8 @@ TYPED_TEST(MaterialTest, BranchTellsWhetherTheDerivativesAreTheSame)
         for (const double p : pressures)
           for (const double q : pressures)
           {
-            if (material.branch(a, p) < 0 || material.branch(b, q) < 0)
+            if (material.tangent_regime(a, p) < 0 ||
+                material.tangent_regime(b, q) < 0)
               continue;
             const auto mixed_a = material.mixed(a, p, g);
             const auto mixed_b = material.mixed(b, q, g);
@@ -186,10 +187,13 @@ TYPED_TEST(MaterialTest, BranchTellsWhetherTheDerivativesAreTheSame)
               mixed_a.stress_by_pressure == mixed_b.stress_by_pressure &&
               mixed_a.constraint_by_trace == mixed_b.constraint_by_trace &&
               mixed_a.constraint_by_pressure == mixed_b.constraint_by_pressure;
-            EXPECT_EQ(are_same, material.branch(a, p) == material.branch(b, q));
+            EXPECT_EQ(are_same,
+                      material.tangent_regime(a, p) ==
+                        material.tangent_regime(b, q));
             EXPECT_EQ(material.eliminated(a, g).stress_by_strain ==
                         material.eliminated(b, g).stress_by_strain,
-                      material.branch(a, 0.) == material.branch(b, 0.));
+                      material.tangent_regime(a, 0.) ==
+                        material.tangent_regime(b, 0.));
           }
   });
 }

@@ -300,7 +300,7 @@ TYPED_TEST(SpectralSplitTest, WithoutDirectionsItIsTheSame)
       EXPECT_LT((found.positive - expected.positive).norm(), 1e-15);
       EXPECT_LT((found.positive_tangent - expected.positive_tangent).norm(),
                 1e-13);
-      EXPECT_EQ(split.branch(here),
+      EXPECT_EQ(split.tangent_regime(here),
                 smallest > 0. ? 1 : (largest < 0. ? 0 : -1));
       n_tension += smallest > 0.;
       n_compression += largest < 0.;
@@ -312,7 +312,7 @@ TYPED_TEST(SpectralSplitTest, WithoutDirectionsItIsTheSame)
 
 
 // On both sides of a principal strain of 0, as near as doubles get: the stress
-// is continuous, and a branch other than -1 promises the tangent of one sign.
+// is continuous, and a regime other than -1 promises the tangent of one sign.
 TYPED_TEST(SpectralSplitTest, NearAVanishingStrainBothWaysAgree)
 {
   constexpr int            dim = TypeParam::value;
@@ -333,15 +333,15 @@ TYPED_TEST(SpectralSplitTest, NearAVanishingStrainBothWaysAgree)
           1e-15);
         EXPECT_LT((found.positive + found.negative - 2. * mu * strain).norm(),
                   1e-16);
-        const int branch = split.branch(strain);
-        if (branch >= 0)
+        const int regime = split.tangent_regime(strain);
+        if (regime >= 0)
         {
-          EXPECT_EQ(branch, other > 0. ? 1 : 0);
-          EXPECT_EQ((found.positive_tangent - branch * identity).norm(), 0.);
+          EXPECT_EQ(regime, other > 0. ? 1 : 0);
+          EXPECT_EQ((found.positive_tangent - regime * identity).norm(), 0.);
         }
         if (size == 1e-8) // far from rounding
         {
-          EXPECT_EQ(branch, sign * other < 0. ? -1 : (other > 0. ? 1 : 0));
+          EXPECT_EQ(regime, sign * other < 0. ? -1 : (other > 0. ? 1 : 0));
         }
       }
 }
