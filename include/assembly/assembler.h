@@ -82,8 +82,9 @@ namespace MixedCracks
     /// of constants_at on all ranks.
     void reinit();
 
-    /// First two lines of (M5). elastic_matrix() and driving_force() are those
-    /// of the state of the last call.
+    /// (g sigma+ + sigma-, eps(w)) and the constraint of p, the first two lines
+    /// of (M5), with g = g(phi~). elastic_matrix() and driving_force() are
+    /// those of the state of the last call.
     ElasticAssessment elastic_residual(const Vector      &elastic,
                                        const Vector      &lagged_phase_field,
                                        const Constraints &constraints,
@@ -122,7 +123,8 @@ namespace MixedCracks
     /// pressures need not be evaluated again for it.
     DrivingForce driving_force() const;
 
-    /// Third line of (M5) and, unless @p matrix is null, its Jacobian.
+    /// (g'/2 D + G_c/l a', psi) + (2 b G_c l grad phi, grad psi), the third
+    /// line of (M5), and, unless @p matrix is null, its Jacobian.
     void phase_field_system(const Vector                &phase_field,
                             const DrivingForce          &driving_force,
                             const Constraints           &constraints,
@@ -132,7 +134,7 @@ namespace MixedCracks
     void lumped_mass(const Constraints &constraints, Vector &mass);
 
     /// The lumped mass weighted with G_c.
-    void lumped_toughness(const Constraints &constraints, Vector &toughness);
+    void lumped_release_rate(const Constraints &constraints, Vector &sum);
 
     bool
     constants_vary() const

@@ -34,9 +34,12 @@ namespace MixedCracks
     tangents
   };
 
-  /// Energy, residual and Jacobian of the elastic fields on one cell: the
-  /// first two lines of (M5) for a given degradation. Works on local vectors
-  /// only, per unit thickness.
+  /// Energy, residual and Jacobian of the elastic fields on one cell,
+  ///
+  ///   (g sigma+ + sigma-, eps(w)) = 0,   (constraint of p, q) = 0,
+  ///
+  /// the first two lines of (M5) for a given degradation g. Works on local
+  /// vectors only, per unit thickness. The .cc has the blocks.
   template <int dim>
   class ElasticKernel
   {
@@ -109,8 +112,8 @@ namespace MixedCracks
     /// residual has to be compared with.
     std::pair<double, double> squared_scale() const;
 
-    /// sigma+ : eps at a quadrature point, (M5) third line; MPa. @p at: the
-    /// constants there.
+    /// D = sigma+ : eps = 2 psi+ at a quadrature point, undegraded; MPa.
+    /// @p at: the constants there.
     double driving_force(const ElasticPoint<dim> &point,
                          const PointConstants    &at) const;
 

@@ -12,7 +12,7 @@
 
 namespace MixedCracks
 {
-  /// The load (M10) of a given fluid pressure p_f in the cracks on one cell:
+  /// The load, (M10), of a given fluid pressure p_f in the cracks on one cell:
   /// potential energy, residuals and Jacobian of
   ///
   ///   E_f(u, phi) = - integral of p_f u . grad(phi^2),

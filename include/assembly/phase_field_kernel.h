@@ -13,9 +13,13 @@
 
 namespace MixedCracks
 {
-  /// Energy, residual and Jacobian of the phase field on one cell: the third
-  /// line of (M5) for a given driving force. Local vectors only, per unit
-  /// thickness.
+  /// Energy, residual and Jacobian of the phase field on one cell,
+  ///
+  ///   (g'(phi)/2 D + G_c/l a'(phi), psi) + (2 b G_c l grad phi, grad psi) >=
+  ///   0,
+  ///
+  /// the third line of (M5) for a given D = 2 psi+. Local vectors only, per
+  /// unit thickness. The .cc has the matrix.
   template <int dim>
   class PhaseFieldKernel
   {
@@ -39,12 +43,12 @@ namespace MixedCracks
     void interpolate(const dealii::Vector<double> &local,
                      std::vector<double>          &values) const;
 
-    /// @p driving_force: sigma+ : eps at the first quadrature point, those at
-    /// the others follow; MPa.
+    /// @p driving_force: D = sigma+ : eps = 2 psi+ at the first quadrature
+    /// point, those at the others follow; MPa.
     void set_state(const dealii::Vector<double> &local,
                    const double                 *driving_force);
 
-    /// N per node (energy density times area over phi), (M5) third line.
+    /// r_i, N per node (in 3-d mJ): energy density times area, over phi.
     void residual(dealii::Vector<double> &result) const;
 
     /// Derivative of residual() by the local values.
@@ -61,7 +65,7 @@ namespace MixedCracks
     void lumped_mass(dealii::Vector<double> &result) const;
 
     /// Integrals of G_c times the shape functions: N mm (in 2-d).
-    void lumped_toughness(dealii::Vector<double> &result) const;
+    void lumped_release_rate(dealii::Vector<double> &result) const;
 
   private:
     struct PointState

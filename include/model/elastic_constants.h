@@ -33,7 +33,7 @@ namespace MixedCracks
   /// divides by lambda).
   ElasticConstants elastic_constants(const GivenElasticConstants &given);
 
-  /// (M6): lambda* = 2 lambda mu / (lambda + 2 mu), mu unchanged.
+  /// Plane stress (M6): lambda* = 2 lambda mu / (lambda + 2 mu), mu unchanged.
   ElasticConstants plane_stress(const ElasticConstants &constants);
 } // namespace MixedCracks
 

@@ -27,8 +27,9 @@ namespace MixedCracks
   };
 
   /// Splits the stress into a part that drives the crack and is degraded by
-  /// it, and a part that is not (M3), (M4). Split here is the part 2 mu eps;
-  /// the pressure p I is split by its sign when splits_pressure() says so.
+  /// it, and a part that is not, sigma = g sigma+ + sigma- (M3), (M4). Split
+  /// here is the part 2 mu eps; the pressure p I is split by its sign when
+  /// splits_pressure() says so. Every split is homogeneous of degree one.
   template <int dim>
   class EnergySplit
   {
@@ -62,8 +63,8 @@ namespace MixedCracks
     virtual bool splits_pressure() const = 0;
   };
 
-  /// Splits by name; the argument is n of (M3), the dimension of the
-  /// deviator, 2 or 3; in 3-d it is 3 whatever is given.
+  /// Splits by name; the argument is n, the dimension of the deviator
+  /// eps - (tr eps/n) I, 2 or 3; in 3-d it is 3 whatever is given.
   template <int dim>
   const Registry<EnergySplit<dim>, int> &all_energy_splits();
 } // namespace MixedCracks

@@ -24,8 +24,8 @@ namespace MixedCracks
 
     double      length_scale;       ///< l, mm
     double      residual_stiffness; ///< kappa, dimensionless
-    double      relaxation;         ///< c of (M8)
-    int         deviator_dimension; ///< n of (M3): 2 or 3
+    double      relaxation;         ///< c of (1-g)/(g c mu), see (M8)
+    int         deviator_dimension; ///< n of dev_n: 2 or 3
     std::string crack_density;
     std::string energy_split;
     std::string pressure_law;
@@ -33,7 +33,8 @@ namespace MixedCracks
   };
 
   /// Stress, constraint and their derivatives at one point for a given
-  /// degradation. The constraint is the integrand of the second line of (M5).
+  /// degradation: the integrands of (sigma, eps(w)) and (constraint, q), the
+  /// first two lines of (M5).
   template <int dim>
   struct ElasticResponse
   {
@@ -96,7 +97,7 @@ namespace MixedCracks
       return pressure(strain, g, uniform_constants());
     }
 
-    /// sigma+ : eps of (M5), third line, undegraded; MPa.
+    /// D = sigma+ : eps = 2 psi+, what drives the crack, undegraded; MPa.
     double driving_force(const Strain         &strain,
                          double                pressure,
                          double                g,

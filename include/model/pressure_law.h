@@ -36,7 +36,8 @@ namespace MixedCracks
   public:
     virtual ~PressureLaw() = default;
 
-    /// @p relaxation: c of (M8), dimensionless. @p g: degradation in [0, 1].
+    /// @p relaxation: c of 1/lambda + (1-g)/(g c mu), dimensionless. @p g:
+    /// degradation in [0, 1].
     /// @p tension: p is degraded here, because it is positive or the energy
     /// split does not distinguish.
     virtual PressureCoefficients coefficients(const PointConstants &at,

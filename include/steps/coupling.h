@@ -10,14 +10,14 @@
 
 namespace MixedCracks
 {
-  /// Which phase field the degradation is evaluated with, (M9).
+  /// Which phase field phi~ the degradation g(phi~) is evaluated with, (M9).
   struct CouplingOptions
   {
     enum class Kind
     {
-      time_lagged,
-      extrapolated,
-      iterated
+      time_lagged,  ///< phi~ = phi of the last step
+      extrapolated, ///< linear in time through the last two, clipped
+      iterated      ///< alternate minimisation (staggered) until phi~ = phi
     };
     Kind   kind      = Kind::iterated;
     double tolerance = 1e-3; ///< of max|phi - phi~|

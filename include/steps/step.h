@@ -43,7 +43,8 @@ namespace MixedCracks
   };
 
   /// One load step: elastic fields and phase field in turn, as the block
-  /// triangular Jacobian of the lagged coupling has it.
+  /// triangular Jacobian of the lagged coupling has it; iterated, this is
+  /// alternate minimisation (staggered).
   template <int dim>
   class StepSolver
   {

@@ -67,7 +67,7 @@ namespace MixedCracks
     /// of the split, again by way of cracks that are less broken.
     NewtonOutcome solve(State &trial, const NewtonOptions &options);
 
-    /// What drives the phase field in the state that solve() left.
+    /// 2 psi+, what drives the phase field, in the state that solve() left.
     DrivingForce driving_force() const;
 
     /// state.reaction from its other members, as after a change of the mesh.

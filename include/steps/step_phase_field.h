@@ -24,7 +24,7 @@ namespace MixedCracks
   };
 
   /// The phase field for given displacement and pressure, between 0 and that
-  /// of the last step.
+  /// of the last step: a variational inequality, solved by an active set.
   template <int dim>
   class PhaseFieldStep
   {
@@ -42,8 +42,8 @@ namespace MixedCracks
     /// To be called when the mesh changed.
     void reinit();
 
-    /// Solve for trial.phase_field; @p driving_force: of the elastic fields of
-    /// @p trial.
+    /// Solve for trial.phase_field; @p driving_force: 2 psi+ of the elastic
+    /// fields of @p trial.
     ActiveSetOutcome solve(const State           &accepted,
                            const FixedPhaseField &fixed,
                            const DrivingForce    &driving_force,

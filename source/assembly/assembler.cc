@@ -1,4 +1,20 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
+// The loops over the cells. Each sums the contributions of one kernel,
+//
+//   residual  R_i = sum over cells K of  R^K_(loc(i)),
+//   matrix    A_ij = sum over cells K of A^K_(loc(i), loc(j)),
+//
+// with hanging nodes condensed: a local vector is multiplied by the transpose
+// of the interpolation of the hanging nodes, C^T R^K, and a matrix by both, C^T
+// A^K C (AffineConstraints::distribute_local_to_global).
+//
+// The matrix of (u, p) is corrected where it can be: with K' the cells whose
+// points have changed g or regime since the last one,
+//
+//   A_new = A_old + sum over K' of (A^K_new - A^K_old),
+//
+// which costs 2 |K'| evaluations instead of |K|; ElasticTangent decides.
+
 #include <assembly/assembler.h>
 
 #include <deal.II/base/mpi.h>
@@ -60,6 +76,8 @@ namespace MixedCracks
 
 
 
+  // Besides residual and scales: how far the state is from that of the matrix,
+  // in the largest change of g and in points of another regime.
   template <int dim>
   ElasticAssessment
   Assembler<dim>::elastic_residual(const Vector      &elastic,
@@ -154,6 +172,7 @@ namespace MixedCracks
 
 
 
+  // D_q = sigma+ : eps = 2 psi+, for cell after cell and point after point
   template <int dim>
   DrivingForce
   Assembler<dim>::driving_force() const
@@ -232,22 +251,24 @@ namespace MixedCracks
 
   template <int dim>
   void
-  Assembler<dim>::lumped_toughness(const Constraints &constraints,
-                                   Vector            &toughness)
+  Assembler<dim>::lumped_release_rate(const Constraints &constraints,
+                                      Vector            &sum)
   {
-    cells->phase_field.begin_sum(toughness);
+    cells->phase_field.begin_sum(sum);
     dealii::Vector<double> local(local_phase_field.size());
     for (unsigned int cell = 0; cell < cells->n_cells(); ++cell)
     {
       phase_field_kernel.reinit(cells->geometry(cell), (*constants)[cell]);
-      phase_field_kernel.lumped_toughness(local);
-      cells->phase_field.add(cell, local, constraints, toughness);
+      phase_field_kernel.lumped_release_rate(local);
+      cells->phase_field.add(cell, local, constraints, sum);
     }
-    cells->phase_field.end_sum(toughness);
+    cells->phase_field.end_sum(sum);
   }
 
 
 
+  // Per mm of thickness:  integral of 1/2 sigma : eps,  of G_c gamma, and of
+  // gamma.
   template <int dim>
   Energies
   Assembler<dim>::energies(const Vector &elastic,

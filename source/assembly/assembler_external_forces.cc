@@ -1,4 +1,12 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
+// Dead loads, the right-hand side of the first line of (M5):
+//
+//   F_(ad) = integral of f_d N_a dx + integral over the boundary of t_d N_a ds,
+//
+// f a body force (N/mm^3), t a traction (MPa) on boundaries by name; N/mm, per
+// mm of thickness. They do not depend on u (small strains). Gauss points, in
+// cells and on faces: one more in each direction than the degree of u.
+
 #include <assembly/assembler.h>
 
 #include <base/collective.h>

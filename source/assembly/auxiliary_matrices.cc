@@ -1,10 +1,51 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
+// The two matrices that stand for parts of the elastic one in the
+// preconditioner of BlockAmgSolver.
+//
+// 1. Displacements: u in Q2 contains the (multi)linear u of the same cells.
+// With P the interpolation from the vertices to all nodes, the Galerkin
+// restriction
+//
+//   P^T A P = sum over cells, points of w_q eps(L_a e_d) : C : eps(L_b e_e),
+//
+// L_a the bilinear (trilinear) shape functions, is assembled as the stiffness
+// of linear displacements with the same tangents C and quadrature: the same
+// matrix but for rounding, without a triple product. A quarter of the unknowns
+// in 2-d, an eighth in 3-d.
+//
+//             Q2            Q1 of the same cell
+//          o---o---o          o-------o
+//          |       |          |       |
+//          o   o   o    P     |       |        P: mean of the two, four or
+//          |       |   <---   |       |        eight vertices around a node
+//          o---o---o          o-------o
+//
+// 2. Pressure: the Schur complement of A in ( A B^T ; B' -M ) is, but for the
+// sign,
+//
+//   S = M + B' A^-1 B^T.
+//
+// In the inside of the body the response to p is the gradient of a potential:
+// with m the stiffness of C against such displacements, A grad(w) is about the
+// force of the pressure m Laplace(w), so that A u = B^T p has div u = p/m, and
+// B' A^-1 B^T acts as the mass matrix over m:
+//
+//   S ~ sum_q w_q ( |compliance| + |stress * divergence| / m ) M_k M_l,
+//   m = longitudinal_stiffness(C).
+
 #include <assembly/auxiliary_matrices.h>
 
 namespace MixedCracks
 {
   using namespace dealii;
 
+  // The mean over all directions n of (n (x) n) : C : (n (x) n). With the mean
+  // of n_i n_j n_k n_l = (d_ij d_kl + d_ik d_jl + d_il d_jk)/(dim (dim + 2)), d
+  // the Kronecker symbol, and the symmetry C_ijkl = C_jikl it is
+  //
+  //   sum_ij ( C_iijj + 2 C_ijij ) / (dim (dim + 2)),
+  //
+  // 2 mu for C = 2 mu 1, and lambda + 2 mu for C = lambda I (x) I + 2 mu 1.
   template <int dim>
   double
   longitudinal_stiffness(const SymmetricTensor<4, dim> &tangent)

@@ -1,4 +1,12 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
+// The map of one cell from the unit cell, x = x(xi), J = dx/dxi:
+//
+//   integral over the cell of f dx = sum_q w_q f(x_q),  w_q = weight_q |J(x_q)|
+//   grad N(x) = J^-T grad_xi N(xi):  dN/dx_j = sum_i dN/dxi_i dxi_i/dx_j.
+//
+// w_q (mm^dim) and J^-1 = dxi/dx (1/mm) depend on the mesh only, dN/dxi on the
+// element only: the product of the two is what a cell costs, and no FEValues.
+
 #include <assembly/cell_geometry.h>
 
 #include <numeric>
@@ -58,6 +66,7 @@ namespace MixedCracks
 
 
 
+  // (row vector) * J^-1: sum_i dN/dxi_i dxi_i/dx_j, see above
   template <int dim>
   void
   ScalarShapes<dim>::reinit(const CellGeometry<dim> &geometry)

@@ -1,4 +1,14 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
+// From cells to vectors and back, by position instead of by global number:
+//
+//   read   local_i = v[ position(cell, i) ]
+//   add    s[ position(cell, i) ] += local_i
+//
+// with s a vector that has room for the dofs of other ranks, which end_sum()
+// sends to their owners and adds up there. Cells with constrained dofs (hanging
+// nodes, a few) go through AffineConstraints instead, which needs global
+// numbers.
+
 #include <assembly/cell_table.h>
 
 namespace MixedCracks

@@ -1,4 +1,9 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
+// lambda, mu (MPa) and G_c (N/mm) at x_q of every owned cell, where they vary:
+// an expression is evaluated once per point and mesh instead of in each of some
+// hundred assemblies. The integrals are exact only as far as the quadrature is:
+// a jump within a cell is seen by the points on its two sides.
+
 #include <assembly/constants_table.h>
 
 #include <base/collective.h>

@@ -1,4 +1,35 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
+// Displacement and pressure on one cell, for a given g = g(phi~) at the
+// quadrature points: the first two lines of the weak form (M5),
+//
+//   R_u(w) = ( sigma(eps(u), p, g), eps(w) )                       = external
+//   R_p(q) = ( divergence tr eps(u) - compliance p, q )            = 0
+//   sigma  = g sigma+ + sigma-,      (a, b) = integral of a : b over the cell,
+//
+// Material has the integrands, [Mang21] the form. Local dofs, for Q2 and Q1 in
+// 2-d (22 of them) and, in brackets, 3-d (89):
+//
+//             u: 9 [27] nodes x dim        p: 4 [8] nodes
+//           +----------------------------+------------------+
+//    w      |  A    (eps(w), C : eps(u)) |  B^T             |   N/mm
+//           +----------------------------+------------------+
+//    q      |  B'                        |  -M              |   mm^2
+//           +----------------------------+------------------+
+//
+//   A_(ad,be)   = sum_q w_q eps(N_a e_d) : C : eps(N_b e_e),  C = g C+ + C-
+//   B^T_(ad,k)  = sum_q w_q stress     dN_a/dx_d M_k,   d sigma/dp = stress I
+//   B'_(k,ad)   = sum_q w_q divergence dN_a/dx_d M_k
+//   M_(k,m)     = sum_q w_q compliance M_k M_m
+//
+// N_a the shape functions of a component of u, M_k those of p, w_q the
+// quadrature weight times |J|. B' = B, and the whole is symmetric, where the
+// pressure law has stress = divergence. phi does not appear: it is fixed
+// through g, so that the Jacobian of (u, p, phi) is block triangular and this
+// is one block of its diagonal. In the displacement formulation A alone is
+// there, with the bulk stiffness of the eliminated p in C.
+//
+// Per mm of thickness: in 3-d the units are N and mm^3 instead.
+
 #include <assembly/elastic_kernel.h>
 
 namespace MixedCracks
@@ -68,6 +99,14 @@ namespace MixedCracks
 
 
 
+  // At each quadrature point
+  //
+  //   grad u = sum_a u_a (x) grad N_a,   eps = sym grad u,   p = sum_k p_k M_k,
+  //   g = g(phi~),
+  //
+  // p from the constraint where it is eliminated, and the regime of the
+  // tangent. Where g = 1 the material is linear, whatever its regime: they
+  // count as one.
   template <int dim>
   void
   ElasticKernel<dim>::set_state(const Vector<double>      &local,
@@ -136,6 +175,8 @@ namespace MixedCracks
 
 
 
+  // R_(ad) = sum_q w_q (sigma grad N_a)_d, as sigma is symmetric: sigma :
+  // eps(w) = sigma : grad w;   R_k = sum_q w_q constraint M_k.
   template <int dim>
   void
   ElasticKernel<dim>::residual(Vector<double> &result) const
@@ -162,6 +203,11 @@ namespace MixedCracks
 
 
 
+  // Column by column: the stress T_be = w_q C : eps(N_b e_e) that a unit
+  // displacement of node b along e causes, then A_(ad,be) += (T_be grad N_a)_d.
+  // Only a <= b, the rest by symmetry. eps(N_b e_e) = sym(e_e (x) grad N_b):
+  // row e of the symmetric tensor has half of the gradient, the diagonal entry
+  // all of it.
   template <int dim>
   void
   ElasticKernel<dim>::displacement_block(const unsigned int  q,
@@ -196,6 +242,7 @@ namespace MixedCracks
 
 
 
+  // B^T, B' and -M together: div(N_a e_d) = dN_a/dx_d.
   template <int dim>
   void
   ElasticKernel<dim>::pressure_blocks(const unsigned int  q,
@@ -245,6 +292,7 @@ namespace MixedCracks
 
 
 
+  // sum_q w_q 1/2 sigma : eps with the p that the state has.
   template <int dim>
   double
   ElasticKernel<dim>::energy() const
@@ -261,6 +309,9 @@ namespace MixedCracks
 
 
 
+  // The same strains with another phase field: p follows from the constraint
+  // with the new g, which keeps u, and E(u, phi) of the energy balance is
+  // evaluated with phi and not with phi~.
   template <int dim>
   double
   ElasticKernel<dim>::energy(const std::vector<double> &phase_field) const
@@ -283,6 +334,11 @@ namespace MixedCracks
 
 
 
+  // What would be there without cancellation. A nodal force is the integral of
+  // sigma grad N, and grad N is of the order of 1/h:  s_u = (integral of
+  // |sigma|)/h, and the constraint is of the order of  s_p = integral of |eps|,
+  // h = V^(1/dim). Newton's method compares |R_u| with the root of the sum of
+  // s_u^2, |R_p| with that of s_p^2.
   template <int dim>
   std::pair<double, double>
   ElasticKernel<dim>::squared_scale() const
@@ -314,6 +370,7 @@ namespace MixedCracks
 
 
 
+  // (sum_q w_q sigma_q)/V and the energy over V
   template <int dim>
   typename ElasticKernel<dim>::CellAverages
   ElasticKernel<dim>::averages(const std::vector<double> &phase_field) const

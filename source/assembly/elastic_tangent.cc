@@ -1,4 +1,17 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
+// Which matrix goes with which state. The tangent at a point is
+//
+//   C = g C+ + C-,   C+ and C- decided by the regime of the point,
+//
+// so that two states with the same g and the same regime, if it is not -1, have
+// the same matrix bit by bit. Two questions follow:
+//
+//   is the old matrix (its factors) good enough to be tried?     the distance:
+//       max over the points of |g - g_old| / min(g, g_old), and the number of
+//       points in another regime. As long as that is 0, A - A_old is at most
+//       about the first times A, and Newton's method with A_old contracts.
+//   where does the matrix differ?     the cells that have such a point.
+
 #include <assembly/elastic_tangent.h>
 
 #include <algorithm>

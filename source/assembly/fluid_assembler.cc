@@ -1,4 +1,9 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
+// The sums over the cells of FluidKernel: the external load of a fluid in the
+// cracks and what it adds to the system of the phase field (M10). p_f(x, t) is
+// evaluated at all quadrature points once for each time, as it is an expression
+// that takes longer than the rest of the cell.
+
 #include <assembly/fluid_assembler.h>
 
 #include <base/collective.h>

@@ -1,4 +1,30 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
+// The work of a given fluid pressure p_f (MPa) on the crack faces of one cell
+// [MikWW15], (M10):
+//
+//   E_f(u, phi) = - integral of p_f u . grad(phi^2) dx
+//               = - 2 integral of p_f phi u . grad phi dx.
+//
+// Across a crack phi^2 falls from 1 to 0 and rises to 1 again: grad(phi^2)
+// integrated over one side is the normal that points into the body, and E_f is
+// minus p_f times the volume between the faces, so that p_f > 0 opens. It uses
+// phi^2 whatever the degradation is: it marks where the solid is, not how
+// stiff.
+//
+// What the two fields get, with N_a and N_i the shape functions of u and phi:
+//
+//   force on the nodes   f_(ad) = - dE_f/du = 2 sum_q w_q p_f phi dphi/dx_d N_a
+//                        does not depend on u: no part in the elastic matrix;
+//                        evaluated with phi~
+//   phase field          r_i = dE_f/dphi_i, H_(ij) = dr_i/dphi_j:
+//
+//       r_i    = - 2 sum_q w_q p_f u . (N_i grad phi + phi grad N_i)
+//       H_(ij) = - 2 sum_q w_q p_f u . (N_i grad N_j + N_j grad N_i)
+//
+// f in N/mm, r in N, both per mm of thickness. H is symmetric and of either
+// sign: within the body it acts like 2/(1-kappa) (p_f div u + grad p_f . u)
+// added to D, for the quadratic g.
+
 #include <assembly/fluid_kernel.h>
 
 namespace MixedCracks

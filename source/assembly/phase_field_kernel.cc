@@ -1,4 +1,38 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
+// The phase field on one cell for given displacements and pressures: the third
+// line of the weak form (M5), for all psi that lead into the bounds,
+//
+//   ( g'(phi)/2 D + G_c/l a'(phi), psi )
+//      + ( 2 b G_c l grad phi, grad psi )  >=  0,
+//
+// D = sigma+ : eps = 2 psi+(u, p) (MPa) at the quadrature points, from the
+// elastic kernel. It is the derivative by phi of
+//
+//   integral of  g(phi) psi+ + G_c (a(phi)/l + b l |grad phi|^2)  dx.
+//
+// With g' = 2 (1-kappa) phi the first term is (1-kappa) phi D. Material has the
+// integrands; what is here is the sum over the points of one cell of Q1 (4
+// nodes in 2-d, 8 in 3-d; N_i, weights w_q):
+//
+//               u, p                phi
+//           +-------------------+-----------+
+//    w, q   |  ElasticKernel    |  0        |   phi~ is given, not unknown
+//           +-------------------+-----------+
+//    psi    |  (by D, explicit) |  H        |
+//           +-------------------+-----------+
+//
+//   r_i    = sum_q w_q [ force N_i + gradient_stiffness grad phi . grad N_i ]
+//   H_(ij) = sum_q w_q [ stiffness N_i N_j
+//                        + gradient_stiffness grad N_i . grad N_j ]
+//
+//   force = g'/2 D + G_c/l a',  stiffness = g''/2 D + G_c/l a'',
+//   gradient_stiffness = 2 b G_c l.
+//
+// H is symmetric; with Wu's a'' = -2/pi it is positive definite only where D is
+// large enough, or where the nodes that are free lie in a band that is narrower
+// than pi l. It does not depend on phi where g and a are quadratic: then one
+// solution between the bounds is the end.
+
 #include <assembly/phase_field_kernel.h>
 
 namespace MixedCracks
@@ -69,6 +103,7 @@ namespace MixedCracks
 
 
 
+  // sum_q w_q G_c gamma: what the crack has cost in this cell
   template <int dim>
   double
   PhaseFieldKernel<dim>::energy() const
@@ -137,6 +172,9 @@ namespace MixedCracks
 
 
 
+  // m_i = integral of N_i: the row sums of the mass matrix, as the N_j add up
+  // to 1. r_i/m_i is an energy density (MPa), a residual that does not depend
+  // on h; where G_c varies, r_i over the integral of G_c N_i (1/mm).
   template <int dim>
   void
   PhaseFieldKernel<dim>::lumped_mass(Vector<double> &result) const
@@ -151,7 +189,7 @@ namespace MixedCracks
 
   template <int dim>
   void
-  PhaseFieldKernel<dim>::lumped_toughness(Vector<double> &result) const
+  PhaseFieldKernel<dim>::lumped_release_rate(Vector<double> &result) const
   {
     result = 0.;
     for (unsigned int q = 0; q < points.size(); ++q)

@@ -1,4 +1,28 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
+// Lame's constants lambda and mu (MPa) from any two constants of isotropic
+// linear elasticity, sigma = 2 mu eps + lambda tr(eps) I in three dimensions:
+//
+//   K  = lambda + 2 mu/3                       bulk modulus
+//   E  = mu (3 lambda + 2 mu)/(lambda + mu)    Young's modulus
+//   nu = lambda/(2 (lambda + mu))              Poisson ratio
+//
+// Each pair below solves two of these for lambda and mu:
+//
+//   lambda, E    mu = (E - 3 lambda + R)/4,  R = sqrt(E^2 + 9 lambda^2
+//                                                     + 2 E lambda)
+//   lambda, nu   mu = lambda (1/(2 nu) - 1)
+//   lambda, K    mu = 3/2 (K - lambda)
+//   mu, E        lambda = mu (E - 2 mu)/(3 mu - E)
+//   mu, nu       lambda = 2 mu nu/(1 - 2 nu)
+//   mu, K        lambda = K - 2 mu/3
+//   E, nu        mu = E/(2 (1 + nu)), then lambda as above
+//   E, K         mu = 3 K E/(9 K - E),  lambda = 3 K (3 K - E)/(9 K - E)
+//   nu, K        mu = 3 K (1/2 - nu)/(1 + nu),  lambda = 3 K nu/(1 + nu)
+//
+// Admissible are mu > 0 and lambda > 0, that is 0 < nu < 1/2: the pressure law
+// divides by lambda, and its limit, incompressible, is reached for finite
+// numbers only as far as double precision goes.
+
 #include <base/errors.h>
 
 #include <model/elastic_constants.h>
@@ -42,6 +66,9 @@ namespace MixedCracks
     ElasticConstants
     from_lambda_and_youngs_modulus(const double lambda, const double E)
     {
+      // With d = 3 lambda - E: R - d cancels where d > 0, for nearly
+      // incompressible material; (R - d)/4 = (R^2 - d^2)/(4 (R + d)) and R^2 -
+      // d^2 = 8 E lambda.
       // Of mu = (E - 3 lambda + root) / 4, the form without cancellation
       const double root =
         std::sqrt(E * E + 9 * lambda * lambda + 2 * E * lambda);
@@ -229,6 +256,15 @@ namespace MixedCracks
 
 
 
+  // (M6), plane stress: the strain across the plane adjusts such that sigma_zz
+  // = 0,
+  //
+  //   eps_zz = - lambda/(lambda + 2 mu) (eps_xx + eps_yy),
+  //
+  // which leaves the two-dimensional law sigma = 2 mu eps + lambda* tr(eps) I
+  // in the plane with  lambda* = lambda (1 - lambda/(lambda + 2 mu)) = 2 lambda
+  // mu/(lambda + 2 mu),  about 2 mu where the material is nearly
+  // incompressible: nothing locks.
   ElasticConstants
   plane_stress(const ElasticConstants &constants)
   {

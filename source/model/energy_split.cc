@@ -1,4 +1,33 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
+// The split of the stress into what opens cracks and what does not,
+//
+//   sigma = g(phi) sigma+ + sigma-,        psi+ = 1/2 sigma+ : eps.
+//
+// Only psi+ drives phi and only sigma+ fades with it; without a split, material
+// would break, and interpenetrate, under compression. Split here is 2 mu eps
+// (MPa), the part of the stress without the pressure; the pressure p I belongs
+// to sigma+ where p > 0 and to sigma- elsewhere (PressureLaw says how it
+// fades), unless splits_pressure() is false. <a> = max(a, 0).
+//
+//   name                   part of sigma+ without the pressure
+//   none                   2 mu eps
+//   volumetric-deviatoric  2 mu dev_n(eps) + (2 mu/n) <tr eps> I         (M3)
+//   spectral               2 mu sum_a <eps_a> n_a (x) n_a                (M4)
+//   ... as printed         2 mu dev_3(eps) + mu <tr eps> I            [Mang21]
+//
+// with dev_n(eps) = eps - (tr eps/n) I, n = 3 for the law in space, which plane
+// strain restricts to the plane, and n = 2 for a law within the plane (plane
+// stress). The other part is the rest, 2 mu eps minus it, but for the last
+// line: its parts add up to 2 mu dev_3(eps) + mu tr(eps) I, which is 2 mu eps
+// only where tr eps = 0. It is there to compare with the paper, and intact
+// material is not linearly elastic with it.
+//
+// Every split is homogeneous of degree one in eps (twice the strain, twice the
+// stress), so that sigma+ = C+(eps) : eps with C+ = d(sigma+)/d(eps) and psi+ =
+// 1/2 eps : C+ : eps. C+ changes with the regime the strain is in only, for the
+// first two splits; a matrix assembled for one state is that of another where
+// all points are in the same regime, which tangent_regime() tells.
+
 #include <model/energy_split.h>
 #include <model/spectral_split.h>
 
@@ -14,6 +43,8 @@ namespace MixedCracks
     using dealii::trace;
     using dealii::unit_symmetric_tensor;
 
+    // sigma+ = 2 mu eps, sigma- = 0,  C+ = 2 mu 1,  C- = 0  (1: the identity on
+    // symmetric tensors). One regime; p is degraded whatever its sign.
     template <int dim>
     class NoSplit : public EnergySplit<dim>
     {
@@ -53,9 +84,17 @@ namespace MixedCracks
 
 
 
-    // (M3), [Amor09]: the volume change drives the crack in expansion only,
-    // the deviator always. The coefficient of <tr eps> I is @p factor mu: 2/n
-    // makes the parts add up.
+    // (M3), [Amor09]: the change of shape always opens cracks, the change of
+    // volume only where it is expansion,
+    //
+    //   sigma+ = 2 mu (eps - (tr eps/n) I) + factor mu <tr eps> I
+    //   sigma- = factor mu (tr eps - <tr eps>) I
+    //
+    //   C+ = 2 mu (1 - I (x) I/n) + factor mu H(tr eps) I (x) I
+    //   C- = factor mu (1 - H(tr eps)) I (x) I,     H(a) = 1 for a > 0, else 0.
+    //
+    // factor = 2/n makes the parts add up to 2 mu eps; [Mang21] prints 1 with n
+    // = 3. Two regimes: expansion and the rest.
     template <int dim>
     class VolumetricDeviatoricSplit : public EnergySplit<dim>
     {

@@ -1,4 +1,32 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
+// The material at one point: the integrands of the weak form (M5),
+//
+//   ( g(phi~) sigma+ + sigma-, eps(w) ) = external forces   for all w
+//   ( divergence tr eps - compliance p, q ) = 0             for all q
+//   ( g'(phi)/2 D + G_c/l a'(phi), psi )
+//      + ( 2 b G_c l grad phi, grad psi ) >= 0     with 0 <= phi <= phi^(n-1)
+//
+// and their derivatives, without mesh and without vectors. phi~ is the phase
+// field in the degradation: that of the last iteration of the alternate
+// minimisation (staggered), or of an earlier step. All three come from
+//
+//   E = integral of  g psi+ + psi-  + G_c (a(phi)/l + b l |grad phi|^2)  dx
+//
+// where the pressure law is 'degraded bulk'; (M7) and (M8) replace the
+// constraint on p, and are not the derivative of one energy in u and phi
+// together.
+//
+//   mixed()         stress, constraint and tangents for (eps, p, g)
+//   eliminated()    the same with p from the constraint: displacements alone
+//   driving_force() D = sigma+ : eps = 2 psi+
+//   elastic_energy()  1/2 sigma : eps, degraded
+//
+// The stress is put together from the split of 2 mu eps (EnergySplit) and the
+// pressure (PressureLaw), both in MPa:
+//
+//   sigma = g sigma+_shear + sigma-_shear + stress * p I,
+//   d(sigma)/d(eps) = g C+ + C-,     d(sigma)/dp = stress * I.
+
 #include <model/material.h>
 
 #include <deal.II/base/exceptions.h>
@@ -85,6 +113,14 @@ namespace MixedCracks
 
 
 
+  // The unknown p is its own variable: the bulk part of the stress does not
+  // appear in the tangent but in the coupling,
+  //
+  //   d(constraint)/d(tr eps) = divergence,   d(constraint)/dp = -compliance.
+  //
+  // p > 0, not tr eps > 0, decides between tension and compression: the
+  // coefficients are constant but for that jump, at p = 0, where stress * p is
+  // continuous.
   template <int dim>
   ElasticResponse<dim>
   Material<dim>::mixed(const Strain         &strain,
@@ -108,6 +144,12 @@ namespace MixedCracks
 
 
 
+  // p = divergence/compliance tr eps, hence the bulk stiffness
+  //
+  //   K = stress * divergence / compliance  (MPa),    sigma += K tr(eps) I,
+  //   C += K I (x) I,
+  //
+  // lambda where the material is intact.
   template <int dim>
   ElasticResponse<dim>
   Material<dim>::eliminated(const Strain         &strain,
@@ -148,6 +190,12 @@ namespace MixedCracks
 
 
 
+  // D = sigma+ : eps = 2 psi+ (MPa) with the undegraded pressure,
+  //
+  //   D = sigma+_shear : eps + driving <p> tr eps,
+  //
+  // driving = 1, or 1/g where p itself has faded (M8). Without a split of the
+  // pressure, p of either sign counts.
   template <int dim>
   double
   Material<dim>::driving_force(const Strain         &strain,
@@ -164,6 +212,8 @@ namespace MixedCracks
 
 
 
+  // 1/2 sigma : eps = 1/2 (g sigma+ + sigma-) : eps: the energy, as every law
+  // is homogeneous of degree one in (eps, p).
   template <int dim>
   double
   Material<dim>::elastic_energy(const Strain         &strain,
@@ -180,6 +230,10 @@ namespace MixedCracks
 
 
 
+  // p = K_p tr eps with K_p = divergence/compliance of the degradation of the
+  // time; for the same strain and another degradation p changes by the ratio of
+  // the K_p. The discrete p solves the constraint in the mean only, so that it
+  // is scaled instead of being computed from tr eps.
   template <int dim>
   double
   Material<dim>::pressure_after(const double          pressure,
@@ -203,6 +257,7 @@ namespace MixedCracks
 
 
 
+  // gamma = a(phi)/l + b l |grad phi|^2, (M1); 1/mm
   template <int dim>
   double
   Material<dim>::crack_surface_density(const double phase_field,
@@ -215,6 +270,9 @@ namespace MixedCracks
 
 
 
+  // Derivative of g(phi) psi+ + G_c gamma by phi, with D = 2 psi+:
+  //
+  //   g'(phi)/2 D + G_c/l a'(phi)     (MPa), third line of (M5)
   template <int dim>
   double
   Material<dim>::phase_field_force(const double          phase_field,
@@ -228,6 +286,7 @@ namespace MixedCracks
 
 
 
+  // and once more:  g''(phi)/2 D + G_c/l a''(phi)
   template <int dim>
   double
   Material<dim>::phase_field_stiffness(const double          phase_field,
@@ -242,6 +301,8 @@ namespace MixedCracks
 
 
 
+  // Derivative of G_c gamma by grad phi is 2 b G_c l grad phi (N/mm); the
+  // factor has the unit N.
   template <int dim>
   double
   Material<dim>::gradient_stiffness(const PointConstants &at) const
@@ -261,6 +322,9 @@ namespace MixedCracks
 
 
 
+  // The tangent depends on the regime of the split and, through the
+  // coefficients of the pressure law, on the sign of p: twice as many regimes
+  // as the split has.
   template <int dim>
   int
   Material<dim>::tangent_regime(const Strain &strain,

@@ -1,4 +1,38 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
+// The spectral split (M4) of 2 mu eps [Miehe10]: principal strains in tension
+// open cracks,
+//
+//   eps = sum_a eps_a n_a (x) n_a,     eps+ = sum_a <eps_a> n_a (x) n_a,
+//   sigma+ = 2 mu eps+,                sigma- = 2 mu (eps - eps+),
+//
+// from the energy mu eps+ : eps+ (MPa), whose derivative by eps is 2 mu eps+.
+// With the pressure of the constraint, psi+ is lambda/2 <tr eps>^2 + mu eps+ :
+// eps+, the energy of the paper, where the pressure law is 'degraded bulk' in
+// the displacement formulation.
+//
+// Derivative of eps+ in the direction of a strain D, in the principal basis:
+//
+//   (d eps+ [D])_aa = H(eps_a) D_aa
+//   (d eps+ [D])_ab = (<eps_a> - <eps_b>)/(eps_a - eps_b) D_ab,   a /= b:
+//
+// the first factor is the slope of <.>, the second the slope of its secant,
+// from the rotation of the n_a. As a fourth-order tensor, with m_ab = sym(n_a
+// (x) n_b),
+//
+//   C+/(2 mu) = sum_a H(eps_a) m_aa (x) m_aa
+//             + sum_(a<b) 2 secant(eps_a, eps_b) m_ab (x) m_ab,
+//
+// symmetric (major symmetry), between 0 and the identity. The secant is 1 or 0
+// where both strains have one sign, and where the signs differ its denominator
+// is |eps_a| + |eps_b|: no division by a small difference, no perturbation of
+// equal strains as in the formulas of the literature. At eps_a = 0 the slope is
+// taken as 1/2, between its limits, which the intact body at rest has
+// everywhere.
+//
+// Where all eps_a > 0, C+ = 2 mu 1; where all < 0, C+ = 0: regimes 1 and 0,
+// whose matrices do not depend on the directions. Elsewhere C+ turns with the
+// n_a: no two states share a tangent, tangent_regime() = -1.
+
 #include <model/spectral_split.h>
 
 #include <algorithm>
@@ -13,7 +47,9 @@ namespace MixedCracks
 
   namespace
   {
-    // Mohr's circle: centre and radius, and its point of this strain
+    // Mohr's circle of a strain in the plane: with m = (eps_xx + eps_yy)/2, d =
+    // (eps_xx - eps_yy)/2 and s = eps_xy, the principal strains are m +- r, r =
+    // sqrt(d^2 + s^2), and the first direction is at half the angle of (d, s).
     struct Circle
     {
       explicit Circle(const SymmetricTensor<2, 2> &strain)
@@ -40,8 +76,9 @@ namespace MixedCracks
       return values[1] > 0. ? 1 : (values[0] < 0. ? -1 : 0);
     }
 
-    // By the leading minors, which need no principal strains; 0 as well where
-    // rounding could decide.
+    // By the leading minors: eps is positive definite exactly when eps_xx > 0,
+    // eps_xx eps_yy - eps_xy^2 > 0 and det(eps) > 0, and -eps in the same way.
+    // This needs no principal strains. 0 as well where rounding could decide.
     int
     common_sign(const SymmetricTensor<2, 3> &strain)
     {
@@ -69,6 +106,8 @@ namespace MixedCracks
   principal_strains(const SymmetricTensor<2, 2> &strain)
   {
     const Circle circle(strain);
+    // cos(2t) = d/r and sin(2t) = s/r at the angle t of the first direction,
+    // hence c = cos t = sqrt((1 + cos 2t)/2), s = sin t = sin(2t)/(2 c).
     // the first direction (c, s) is at half the angle on the circle, between
     // -90 and 90 degrees; the larger of the two first, which loses no digits
     double c = 1., s = 0.;
@@ -127,8 +166,8 @@ namespace MixedCracks
       return a > 0. ? 1. : (a < 0. ? 0. : 0.5);
     }
 
-    // (<a> - <b>)/(a - b) and its limit, without a difference of nearly equal
-    // numbers
+    // (<a> - <b>)/(a - b): the slope where both have one sign, else
+    // max(a,b)/(|a| + |b|), which the last line is, as a and b differ in sign
     double
     secant_slope(const double a, const double b)
     {
@@ -148,7 +187,8 @@ namespace MixedCracks
       return result;
     }
 
-    // eps+ and its derivative by eps
+    // adds eps+ to @p strain and C+/(2 mu) to @p tangent; the double sum over a
+    // /= b has each pair once, hence the 2 (m_ab : m_ab = 1/2)
     template <int dim>
     void
     add_tension(const PrincipalStrains<dim> &principal,

@@ -1,4 +1,32 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
+// A quadratic problem with bounds,
+//
+//   minimise  1/2 x . K x - f . x   subject to   l <= x <= u,   r = K x - f,
+//
+// K symmetric, not always positive definite (Wu's crack density). Conditions
+// for a minimum, with the multiplier -r at the bounds:
+//
+//   l < x < u: r = 0     x = l: r >= 0     x = u: r <= 0.
+//
+// The primal-dual active set [HWW15] holds i at the upper bound if -r_i + c
+// (x_i - u_i) > 0. As all iterates here are within the bounds, that is x_i =
+// u_i and r_i < 0, whatever c > 0 is; in the same way at the lower one. One
+// iteration, with I the dofs that are not held:
+//
+//   1. K_II d_I = - r_I by preconditioned conjugate gradients, truncated
+//   2. x(t) = projection of x + t d on the bounds, t = 1, 1/2, 1/4, ...
+//      until the energy has fallen:  E(x(t)) - E(x) <= 1e-4 r . (x(t) - x)
+//   3. r <- r + K (x(t) - x), new sets
+//
+// (More and Toraldo, SIAM J. Optim. 1 (1991), for the search along the
+// projected path.) With x + d and new sets instead, the sets cycle in most
+// iterations of a growing crack: K has positive entries off the diagonal, from
+// the consistent mass matrix, and is no M-matrix, for which that method is
+// known to converge.
+//
+// The energy is known up to a constant without f: E(x + m) - E(x) = r . m + 1/2
+// m . K m, one product with K per trial, which updates r, too.
+
 #include <deal.II/base/mpi.h>
 
 #include <solvers/active_set.h>
@@ -15,7 +43,8 @@ namespace MixedCracks
   namespace
   {
     // bounds closer than this leave nothing to solve for
-    constexpr double same_bounds         = 1e-14;
+    constexpr double same_bounds = 1e-14;
+    // of r . move, the decrease that the slope promises (Armijo)
     constexpr double sufficient_decrease = 1e-4;
     // digits that a solve would add before the sets are known are wasted
     constexpr double loose_tolerance = 1e-3;
@@ -53,7 +82,7 @@ namespace MixedCracks
 
 
 
-    // Start within the bounds.
+    // Start within the bounds: x <- x + m, r <- r + K m.
     Iterate
     projected_start(const BoundedProblem &p, Vector &x, Vector &r)
     {
@@ -135,8 +164,12 @@ namespace MixedCracks
 
 
 
-    // Truncated conjugate gradients for the direction: stops at a direction
-    // of negative curvature and takes that one.
+    // Conjugate gradients for K_II d = - r_I with the preconditioner M^-1, from
+    // d = 0, until sqrt(rho . M^-1 rho) has fallen by the tolerance, rho the
+    // linear residual; truncated (Steihaug, SIAM J. Numer. Anal. 20 (1983)) at
+    // a search direction s with s . K s <= 0, which is taken as d: the energy
+    // falls along it without end, so that it leads to a bound. s is a direction
+    // of descent, r . s < 0, as a step of conjugate gradients always is.
     unsigned int
     find_direction(Iterate                       &state,
                    const FreeBlockPreconditioner &preconditioner,
@@ -181,8 +214,8 @@ namespace MixedCracks
 
 
 
-    // Move along the projected direction until the energy falls. False when
-    // it does not.
+    // Step 2 and 3. Negative curvature: t begins such that the longest entry of
+    // t d is 1, which is as far as the bounds can be apart.
     bool
     move_downhill(Iterate &state)
     {

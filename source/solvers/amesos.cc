@@ -1,4 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
+// Direct solvers of Trilinos behind one interface: SymbolicFactorization for
+// the pattern, NumericFactorization for values, Solve. No use is made of
+// symmetry.
+
 #include <Amesos.h>
 #include <Teuchos_ParameterList.hpp>
 #include <solvers/amesos.h>

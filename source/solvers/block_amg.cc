@@ -1,4 +1,32 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
+// FGMRES for displacement and pressure with a block-triangular preconditioner
+// from the right: with the blocks of the elastic matrix (ElasticKernel)
+//
+//         u     p                     u     p
+//    u ( A     B^T )             u ( A~    B^T )
+//    p ( B     -C  )  = K,       p ( 0     -S~ )  = P,    K P^-1 y = rhs.
+//
+// With A~ = A and S~ = S = C + B A^-1 B^T the product
+//
+//   K P^-1 = ( 1         0 )
+//            ( B A^-1    1 )
+//
+// has the eigenvalue 1 only, and FGMRES ends after two iterations; the closer
+// the two are, the fewer it takes. P^-1 (f, g) is applied from the bottom up,
+//
+//   p = - S~^-1 g,    u = A~^-1 (f - B^T p),
+//
+// A~^-1 two levels or one cycle of multigrid (block_amg_setup.cc), S~^-1
+// incomplete factors of the weighted mass matrix (AssembledAuxiliaries). From
+// the right, so that the residual that GMRES minimises is the true one,
+// whatever P is.
+//
+// Without pressure, with a symmetric matrix and one multigrid cycle that is
+// symmetric itself: conjugate gradients with A~.
+//
+// Rows of p are multiplied by row_scale, sqrt(mean diag(A) * mean 1/diag(S~)),
+// so that MPa-like and mm^2-like rows count alike in one norm.
+
 #include <base/log.h>
 
 #include <deal.II/base/mpi.h>

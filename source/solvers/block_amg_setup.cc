@@ -1,5 +1,16 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Hierarchy and weights of the block AMG solver.
+// Hierarchy and weights of the block AMG solver. A~^-1 with two levels, from v
+// = 0:
+//
+//   1. v = P M(P^T f)         P from linear to quadratic displacements,
+//                             M one cycle of multigrid on P^T A P
+//   2. v <- smooth(A, f; v)   Chebyshev polynomial of degree 2 on A, for the
+//                             f - B^T p of the p found before
+//
+// P^T A P is assembled (AssembledAuxiliaries). The smoother takes what is
+// between the vertices, modes that the coarse space lacks and whose eigenvalues
+// are among the upper ones. Linear displacements need 1 only, with P = 1.
+
 #include <deal.II/base/mpi.h>
 
 #include <Epetra_Vector.h>
@@ -28,8 +39,7 @@ namespace MixedCracks
 
 
 
-    // Mean of the entries of a diagonal, or of their inverses, in the chosen
-    // rows.
+    // (1/n) sum_i a_ii or (1/n) sum_i 1/a_ii over the chosen rows of all ranks
     double
     mean_diagonal(const Epetra_CrsMatrix  &matrix,
                   const std::vector<bool> &chosen,

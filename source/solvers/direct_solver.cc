@@ -1,4 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
+// A = L D L^T (symmetric, indefinite: the pressure has -C) or L U, once per
+// values of the matrix, and the two triangular solves as often as wanted.
+// Analysis of the pattern, which needs no values, once per mesh.
+
 #include <base/errors.h>
 
 #include <deal.II/base/exceptions.h>

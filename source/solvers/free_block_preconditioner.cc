@@ -1,4 +1,21 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
+// Preconditioner of K_II, the matrix of the phase field on the free dofs I,
+//
+//   K = G_c/l (a'' M + 2 b l^2 L) + (g''/2) M_D,
+//
+// M the mass matrix, L the Laplacian, M_D the mass weighted with D = 2 psi+.
+// Scaled by its diagonal it has eigenvalues from about a''/(a'' + c 2 b
+// l^2/h^2), c some number, where D = 0, to about 1: for AT2 (a'' = 1) the
+// iterations grow with l/h, and the diagonal is enough where that is small. For
+// AT1 and Wu a'' is 0 or less, and large domains of free dofs without D have
+// eigenvalues near 0 or below. Then multigrid, for K + concavity * diag(scale),
+// which is positive definite.
+//
+// A hierarchy takes the time of many iterations: it is made only where the
+// diagonal has needed more than 'patience' iterations per digit, and kept for
+// other values and other free dofs until it needs three times as many as at
+// first.
+
 #include <Epetra_Vector.h>
 #include <solvers/active_set.h>
 #include <solvers/free_block_preconditioner.h>
@@ -34,6 +51,7 @@ namespace MixedCracks
 
 
 
+    // K_II + diag(concavity * scale): a + concavity phi^2/2 is convex
     void
     add_to_diagonal(Epetra_CrsMatrix          &block,
                     const std::vector<double> &additions)
@@ -108,6 +126,9 @@ namespace MixedCracks
 
 
 
+  // On the free dofs that the hierarchy knows: its cycle applied to the source
+  // with the others set to 0 - a principal part of a symmetric positive
+  // operator, hence one itself; elsewhere the diagonal.
   void
   FreeBlockPreconditioner::vmult(Vector &result, const Vector &source) const
   {

@@ -1,4 +1,15 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
+// The choice of the solver for the elastic system. A factorisation of a sparse
+// matrix with N unknowns, ordered by nested dissection or near to it, takes
+//
+//   2-d   N^(3/2) operations, N log N entries
+//   3-d   N^2     operations, N^(4/3) entries,
+//
+// the iterative one a number of iterations that hardly grows, each of order N.
+// In the plane factors also serve several Newton iterations, which is why
+// direct solution is good for a million unknowns there, and for some ten
+// thousand in space.
+
 #include <solvers/block_amg.h>
 #include <solvers/direct_solver.h>
 #include <solvers/linear_solver.h>

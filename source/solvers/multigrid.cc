@@ -1,4 +1,21 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
+// Smoothed aggregation (Vanek, Mandel and Brezina, Computing 56 (1996)), by ML.
+// On each level nodes are put together to aggregates, and the prolongator is
+//
+//   P = (1 - omega/lambda_max D^-1 A) T,    A_coarse = P^T A P,
+//
+// T the given coarse functions (rigid body modes of elasticity, the constant
+// for the phase field), restricted to each aggregate and made orthonormal
+// there: what costs no energy is represented exactly on every level. omega is
+// prolongator_damping, 4/3 in theory and 3/2 for elasticity here
+// (doc/solvers.md). Entries with |a_ij| below weak_coupling * sqrt(a_ii a_jj)
+// do not join nodes.
+//
+// Coarse unknowns per aggregate: as many as coarse functions, 3 in the plane
+// and 6 in space (elasticity), 1 (phase field). Smoothers are Chebyshev
+// polynomials before and after, so that the cycle is symmetric; the coarsest
+// level is factorised.
+
 #include <deal.II/base/exceptions.h>
 
 #include <Epetra_Import.h>
@@ -123,6 +140,10 @@ namespace MixedCracks
 
 
 
+  // A_RC of the rows R and columns C, renumbered: what ML wants is a matrix of
+  // its own with the nodes of one rank behind those of the rank before. Columns
+  // of other ranks are found by sending their numbers in the block along the
+  // import of A.
   std::unique_ptr<Epetra_CrsMatrix>
   extract_block(const Epetra_CrsMatrix  &matrix,
                 const std::vector<bool> &rows,
@@ -230,6 +251,8 @@ namespace MixedCracks
 
 
 
+  // ILU(0), of the part of each rank: for a mass matrix, whose condition does
+  // not depend on h, no more is needed.
   MassSolver::MassSolver(std::unique_ptr<Epetra_CrsMatrix> new_matrix)
     : matrix(std::move(new_matrix))
   {

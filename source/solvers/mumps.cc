@@ -1,4 +1,12 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
+// MUMPS (multifrontal, distributed): A given by its entries on each rank, the
+// right hand side and the solution on rank 0. Symmetric matrices as their lower
+// triangle, scaled to ones on the diagonal,
+//
+//   (S A S)(S^-1 x) = S b,   S = diag(1/sqrt(abs(a_ii))),
+//
+// and factorised as L D L^T with 1x1 and 2x2 pivots, as A is indefinite.
+
 #include <deal.II/base/exceptions.h>
 
 #include <solvers/mumps.h>

@@ -1,4 +1,26 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
+// Newton's method for R(x) = 0 with a line search,
+//
+//   A d = - R(x),   x <- x + 2^-k d,   the first k = 0, 1, ... with
+//   |R(x + 2^-k d)| < |R(x)|   (or the last one tried).
+//
+// |R| is the larger of the two relative sizes, of displacement and pressure,
+// see ResidualSize. Where R is piecewise linear with kinks (semismooth) and A
+// is a generalised derivative, a full step ends within the piece it leads to. A
+// may be older than x: then |R| falls by a factor rather than to 0, and A is
+// made anew when the factor is above required_reduction.
+//
+// How accurate iterative solves are, |A d + R| <= eta |R|: forcing terms of
+// Eisenstat and Walker, SIAM J. Sci. Comput. 17 (1996), choice 1,
+//
+//   eta_k = abs( |R_k| - |R_(k-1) + A d_(k-1)| ) / |R_(k-1)|,
+//
+// what the last linear model was off by. The linear residual is taken as
+// eta_(k-1) |R_(k-1)|, what was asked for:  eta_k = abs(|R_k|/|R_(k-1)| -
+// eta_(k-1)). Bounded by the loosest and tightest allowed, by half of
+// tolerance/|R|, below which digits would be wasted, and by half of
+// required_reduction, without which a good A would be given up for a bad solve.
+
 #include <solvers/newton.h>
 
 #include <algorithm>
@@ -16,8 +38,8 @@ namespace MixedCracks
 
 
 
-    // Full step first; halved while the residual grows. Returns the residual
-    // at the point where the iterate was left.
+    // x stands at x + factor d; halving moves back by half of what was gone.
+    // The residual at the place where x is left is known when this returns.
     ResidualSize
     line_search(const NewtonProblem &problem,
                 const NewtonOptions &options,
@@ -104,6 +126,9 @@ namespace MixedCracks
 
 
 
+  // Ends when |R| <= max(tolerance, relative_tolerance |R_0|). The alternate
+  // minimisation (staggered) asks for little while phi still moves: a reduction
+  // by relative_tolerance, or enough_iterations with any reduction.
   NewtonOutcome
   solve_newton(const NewtonProblem &problem, const NewtonOptions &options)
   {

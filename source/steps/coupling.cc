@@ -1,4 +1,19 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
+// Which phase field phi~ the degradation g(phi~) of step n is evaluated with,
+// (M9):
+//
+//   time-lagged   phi~ = phi^(n-1)                               [Mang21]
+//   extrapolated  phi~ = phi^(n-2) + (1 + dt_n/dt_(n-1))
+//                        (phi^(n-1) - phi^(n-2)),
+//                 clipped to 0 <= phi~ <= phi^(n-1)              [HWW15]
+//   iterated      alternate minimisation (staggered): repeated with phi~ moved
+//                 towards phi until max |phi - phi~| <= tolerance
+//
+// The first two solve once per step: cheap, with an error that acts like a
+// viscosity, as a crack advances by one cell per step however long that is. The
+// third finds a state where u is in equilibrium with phi itself: a critical
+// point of the energy at that load.
+
 #include <deal.II/base/patterns.h>
 
 #include <steps/coupling.h>
@@ -20,7 +35,8 @@ namespace MixedCracks
       kind,
       "The phase field in the degradation (M9): 'time-lagged': that of the "
       "last step; 'extrapolated': linearly in time, within its bounds; "
-      "'iterated': repeated until it no longer changes.",
+      "'iterated': repeated until it no longer changes, which is alternate "
+      "minimisation (staggered).",
       Patterns::Selection("time-lagged|extrapolated|iterated"));
     prm.add_parameter("Coupling tolerance",
                       tolerance,

@@ -1,4 +1,22 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
+// Acceleration of the alternate minimisation, x = phi~ and g(x) the phi that
+// one iteration gives for it; f(x) = g(x) - x is the difference. The plain
+// iteration x + f(x) converges like the largest eigenvalue of dg/dx: 0.95 and
+// worse near the onset of a crack. Three phases, by the angle between f now and
+// before,
+//
+//   cosine = f . f_before / (|f| |f_before|):
+//
+//   growing    |f| >= |f_before|, cosine > 0.9: an unstable state is left.
+//              A long step x + c f, c a quarter of the largest factor.
+//   smooth     |cosine| > 0.5, or |f| < 0.7 |f_before|: Anderson's method of
+//              type II (Walker and Ni, SIAM J. Numer. Anal. 49 (2011)), below,
+//              where it goes farther than over-relaxation or f shrinks well.
+//              Where its step leads against f, the phase is growing after all.
+//   unrelated  a front that moves by a cell per iteration, whose differences
+//              have nothing to do with each other: x + omega f, omega the
+//              over-relaxation.
+
 #include <deal.II/lac/full_matrix.h>
 #include <deal.II/lac/vector.h>
 
@@ -63,8 +81,16 @@ namespace MixedCracks
 
 
 
-  // The combination of the last iterates whose g(x) - x, were it linear, would
-  // be the smallest, and from there one plain step.
+  // With the changes dX = (x_k - x_(k-1)), dF = (f_k - f_(k-1)) of the last
+  // iterates as columns,
+  //
+  //   gamma = argmin |f - dF gamma|:  (dF^T dF + delta I) gamma = dF^T f,
+  //   step  = f - (dX + dF) gamma:
+  //
+  // the combination of the iterates whose difference, were f linear, would be
+  // the least, and from there one plain step. delta, 1e-10 of the largest
+  // diagonal entry, keeps nearly parallel columns from being told apart by
+  // rounding.
   Vector
   FixedPointAcceleration::anderson_step(const Vector &difference) const
   {
@@ -137,6 +163,7 @@ namespace MixedCracks
       difference.l2_norm() < clear_reduction * last_difference.l2_norm();
     remember(phase, x, difference);
 
+    // |step| <= longest |f|: an extrapolation is believed only so far
     const double length = difference.l2_norm();
     const double longest =
       std::max(options.largest_acceleration, options.over_relaxation);

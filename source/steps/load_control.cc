@@ -1,4 +1,23 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
+// The length dt of the load steps (s). After a step with the change c = max
+// (phi^(n-1) - phi^n) and the bound C = 'Largest phase-field change':
+//
+//   converged, c <= C        accepted; dt doubles after an easy step, c < 0.3 C
+//                            (the third one after a rejection for c)
+//   converged, c > C         rejected: dt = max(dt/2, onset step)
+//     and dt <= onset step   C is infinite there: accepted, a crack runs,
+//                            however small the step; with 'Stop at onset' C
+//                            holds there too, and the run ends before it
+//   not converged            rejected: dt = max(dt/2, smallest step)
+//     at the smallest step   the run ends with status 3
+//
+//            |---- largest ----|--- onset ---|--- smallest ---|
+//            bounded change c    c unbounded   a failure ends the run
+//
+// The load at which a crack starts is known to the onset step this way, and
+// what is applied to a body with a running crack does not matter: it runs at
+// constant load in one step of the alternate minimisation (staggered).
+
 #include <base/errors.h>
 #include <base/names.h>
 
@@ -251,6 +270,8 @@ namespace MixedCracks
 
 
 
+  // max(stop fraction, 0.15 if separation is to end the run) * peak of the
+  // force
   double
   LoadControl::force_when_apart() const
   {
@@ -263,6 +284,10 @@ namespace MixedCracks
 
 
 
+  // With t_s the next scheduled time and T the end time: dt <= the scheduled
+  // bound; if t + dt passes t_s, dt = t_s - t; if t + 2 dt does, dt = (t_s -
+  // t)/2, so that no step is a crumb; and the last step takes all that is left
+  // to T where that is less than dt + smallest step.
   void
   LoadControl::limit_step()
   {

@@ -1,4 +1,16 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
+// Steps that are not given, from those that are; T the end time, s(t) the
+// schedule, in s:
+//
+//   largest  = the largest of T/10 (unless a schedule begins at 0), all of the
+//              schedule and all given steps
+//   first    = s(0), else largest
+//   onset    = min(largest/10, shortest of the schedule), at least smallest
+//   smallest = min(onset/100, first, shortest of the schedule)
+//
+// A bound at time t is that of the last scheduled time <= t. Times that differ
+// by less than 1e-6 smallest steps are one, since sums of steps are rounded.
+
 #include <base/errors.h>
 #include <base/log.h>
 #include <base/names.h>

@@ -1,4 +1,13 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
+// Whether a quantity W, the stored energy, still changes. Over the last five
+// iterations, whose steps were theta_k times a plain one,
+//
+//   max W - min W <= tolerance * sum_k theta_k * max(|W|, |W_first|/10):
+//
+// W changes by less than the tolerance, relative to itself, per plain
+// iteration. A long step counts for as many plain ones as it is long, and a
+// step that was cut short does not pass for rest.
+
 #include <steps/rest.h>
 
 #include <algorithm>

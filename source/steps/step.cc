@@ -1,4 +1,25 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
+// One load step: alternate minimisation (staggered) of the energy in (u, p) and
+// phi [Bourdin00]. With n the step, i the iteration and phi~ the phase field in
+// the degradation,
+//
+//   1. (u, p)_i:  ( g(phi~_i) sigma+ + sigma-, eps(w) ) = loads; law of p
+//   2. phi_i:     third line of (M5) with D(u_i, p_i),  0 <= phi_i <= phi^(n-1)
+//   3. phi~_(i+1) = phi~_i + step(phi_i - phi~_i), within 0 and phi^(n-1),
+//      until max |phi_i - phi~_i| is below the tolerance
+//
+// The obstacle is phi^(n-1) in all iterations: irreversibility holds from step
+// to step, an iteration may take back what an earlier one has broken.
+// 'time-lagged' and 'extrapolated' do 1 and 2 once. Jacobian of all unknowns
+// with phi~ given:
+//
+//             u, p         phi
+//       u, p [ ElasticStep  0              ]  block triangular: solved in turn,
+//       phi  [ dD/du        PhaseFieldStep ]  nothing is neglected
+//
+// The plain step of 3 is what makes a fixed point of (u, phi) -> phi; with it a
+// running crack advances by about one cell per iteration, see fixed_point.cc.
+
 #include <deal.II/base/mpi.h>
 
 #include <steps/step.h>

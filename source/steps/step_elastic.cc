@@ -1,4 +1,14 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
+// Displacement and pressure of a load step, for a given phi~: the first two
+// lines of (M5),
+//
+//   R(u, p) = internal(u, p; g(phi~)) - external(t, phi~) = 0,   u = u_D(t)
+//
+// on supports. Kept for as long as they are good: the pattern and its analysis
+// per mesh, the factors as long as they reduce the residual
+// (step_elastic_solve.cc has Newton's method). Work and energies are per mm of
+// thickness: N/mm times mm = N.
+
 #include <deal.II/dofs/dof_tools.h>
 
 #include <discretization/rigid_body_modes.h>
@@ -140,6 +150,7 @@ namespace MixedCracks
 
 
 
+  // F(t): body force and tractions, N/mm at the nodes
   template <int dim>
   Vector
   ElasticStep<dim>::dead_loads(const double time) const
@@ -164,6 +175,7 @@ namespace MixedCracks
 
 
 
+  // F(t) + f(t, phi): with the fluid, whose forces are where phi changes, (M10)
   template <int dim>
   Vector
   ElasticStep<dim>::external_forces(const double  time,
@@ -178,6 +190,13 @@ namespace MixedCracks
 
 
 
+  // Proportional loading: with b = (u_D, F) at the accepted time and a at the
+  // new one, ratio = a . b / b . b is the least-squares factor, and where a =
+  // ratio b to rounding (|a - ratio b|^2 <= 1e-24 |ratio b|^2) the start is
+  // ratio * (u, p): exact while phi does not change, since the law is
+  // homogeneous of degree one. Otherwise (u, p) of the accepted state with the
+  // new u_D. Units of u_D and F are mixed here, which does no harm: each has to
+  // be proportional.
   template <int dim>
   void
   ElasticStep<dim>::predict(const State &accepted, State &trial) const
@@ -247,6 +266,13 @@ namespace MixedCracks
 
 
 
+  // By the trapezoidal rule for loads and reactions r,
+  //
+  //   W = 1/2 (F_0 + F_1 + r_0 + r_1) . (u_1 - u_0) + W_fluid,
+  //
+  // exact where both are linear in the step. r is the residual before the
+  // supports are taken out: 0 at free nodes, what a support gives at the
+  // others.
   template <int dim>
   double
   ElasticStep<dim>::external_work(const State &before, const State &after) const
@@ -268,6 +294,8 @@ namespace MixedCracks
 
 
 
+  // (r + F) . u = internal . u = integral of sigma : eps = twice the stored
+  // energy, as R = 0 at free nodes and the constraint holds.
   template <int dim>
   double
   ElasticStep<dim>::loads_times_displacements() const
@@ -278,6 +306,9 @@ namespace MixedCracks
 
 
 
+  // 1/2 sum over both pressures of E_f(before) - E_f(after), E_f = -p_f times
+  // volume: the mean pressure times the volume that the crack has gained. It
+  // counts what the fluid does when phi alone moves, too.
   template <int dim>
   double
   ElasticStep<dim>::fluid_work(const State &before, const State &after) const

@@ -1,6 +1,23 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // How a step finds displacement and pressure: Newton's method, and what is left
 // to try where it cycles.
+//
+// R is piecewise linear in (u, p): linear as long as no point changes the
+// regime of the split (tr eps or p through 0, a principal strain through 0).
+// Newton's method,
+//
+//   A(x_k) d = - R(x_k),   x_(k+1) = x_k + factor d,
+//
+// A any element of the generalised derivative, is semismooth: it ends after the
+// iteration in which no regime changes. With the factors of an older matrix
+// A_old it is a quasi-Newton method, that contracts by about |g - g_old|/g_old.
+//
+// It can cycle, where a crack that is nearly free of stiffness opens in one
+// iteration and closes in the next. Then a continuation in the phase field of
+// the degradation: max(phi~, m) for m = 0.1, 0.03, ... 0.001, 0, each solution
+// the start for the next. The stiffness left in a crack is about (1-kappa) m^2
+// + kappa.
+
 #include <steps/step_elastic.h>
 
 #include <algorithm>
@@ -51,6 +68,12 @@ namespace MixedCracks
 
 
 
+  // R with its size relative to the terms that cancel in it,
+  //
+  //   |R_u| / max(s_u, |F|),   |R_p| / s_p     (ElasticKernel::squared_scale),
+  //
+  // rows of prescribed displacements left out: what stands there is the
+  // reaction.
   template <int dim>
   ResidualSize
   ElasticStep<dim>::evaluate_residual(const State &trial)
@@ -80,6 +103,10 @@ namespace MixedCracks
 
 
 
+  // A new matrix only where the old one is not good enough: a point in another
+  // regime, or g changed by more than the allowed part (direct solver) or at
+  // all (iterative). Newton's method forces one when the old factors have not
+  // reduced the residual enough.
   template <int dim>
   LinearOutcome
   ElasticStep<dim>::update_matrix(const bool force)
@@ -107,6 +134,8 @@ namespace MixedCracks
 
 
 
+  // A d = - R with d = 0 where displacements are prescribed, d at hanging nodes
+  // by interpolation
   template <int dim>
   LinearOutcome
   ElasticStep<dim>::solve_for_correction(const double relative_tolerance)

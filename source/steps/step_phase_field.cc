@@ -1,4 +1,26 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
+// The phase field of a step for given D = 2 psi+: the third line of (M5),
+//
+//   find phi in K = { 0 <= phi <= phi^(n-1) } with, for all psi in K,
+//   ( g'(phi)/2 D + G_c/l a'(phi), psi - phi )
+//      + ( 2 b G_c l grad phi, grad(psi - phi) )  >=  0,
+//
+// the condition for a minimum of the energy over K. As nodal values of Q1, with
+// r the residual of PhaseFieldKernel and m_i = integral of N_i,
+//
+//   0 < phi_i < phi^(n-1)_i    r_i = 0
+//   phi_i = phi^(n-1)_i        r_i <= 0   (held: it would heal)
+//   phi_i = 0                  r_i >= 0
+//
+// to |r_i|/m_i <= 1e-8 G_c/l. Q1 values between the nodes are within the bounds
+// if those at the nodes are, hanging nodes included, as their weights are
+// positive.
+//
+// Where g and a are quadratic, r is linear in phi and one active set is the
+// end; else Newton's method: linearised at phi_k, solved between the same
+// bounds, until an active set stays as it was. With a fluid, (M10) is added to
+// r and its matrix.
+
 #include <discretization/sparse_matrix.h>
 
 #include <steps/step_phase_field.h>
@@ -19,8 +41,9 @@ namespace MixedCracks
 
 
 
-    // G_c / l (MPa), of which the multipliers are parts. Where G_c varies they
-    // are divided by the local one instead: then 1 / l.
+    // G_c / l (MPa), the scale of G_c gamma, of which the multipliers r_i/m_i
+    // are parts. Where G_c varies, r_i is divided by the integral of G_c N_i:
+    // then 1 / l.
     template <int dim>
     double
     energy_density(const Material<dim> &material, const bool constants_vary)
@@ -79,7 +102,7 @@ namespace MixedCracks
          {&iterate, &residual, &lower, &upper, &mass})
       vector->reinit(dofs.owned, fields.communicator());
     if (assembler.constants_vary())
-      assembler.lumped_toughness(hanging, mass);
+      assembler.lumped_release_rate(hanging, mass);
     else
       assembler.lumped_mass(hanging, mass);
     solver.reinit();

@@ -315,7 +315,7 @@ TEST_F(HalvedSquare, CrackEnergyIsWeightedWithTheToughness)
               1e-12);
   // so is the scale of the active set, without the density
   Vector sum = fields.owned_vector(fields.phase_field_dofs);
-  matter->lumped_toughness(constraints.phase_field_hanging_nodes(), sum);
+  matter->lumped_release_rate(constraints.phase_field_hanging_nodes(), sum);
   Vector ones(sum);
   ones = 1.;
   EXPECT_NEAR(sum * ones, 1. + 1. / 2 + 2. / 3, 1e-12);
