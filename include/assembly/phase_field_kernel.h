@@ -15,8 +15,8 @@ namespace MixedCracks
 {
   /// Energy, residual and Jacobian of the phase field on one cell,
   ///
-  ///   (g'(phi)/2 D + G_c/l a'(phi), psi) + (2 b G_c l grad phi, grad psi) >=
-  ///   0,
+  ///   (g'(phi)/2 D + G_c/l a'(phi), psi)
+  ///     + (2 b G_c l grad phi, grad psi) >= 0,
   ///
   /// the third line of (M5) for a given D = 2 psi+. Local vectors only, per
   /// unit thickness. The .cc has the matrix.

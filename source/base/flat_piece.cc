@@ -1,4 +1,13 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
+// Distance from a point to a segment, or to a quadrilateral as two triangles.
+//
+//   segment a b     t = (x - a) . (b - a)/|b - a|^2, clipped to [0, 1];
+//                   |x - a - t (b - a)|
+//   triangle abc    n = (b - a) x (c - a), twice the area long. If x is above
+//                   the inside, ((e - s) x (x - s)) . n >= 0 for each edge
+//                   from s to e: |(x - a) . n|/|n|; else the least distance
+//                   to an edge
+
 #include <base/flat_piece.h>
 
 #include <algorithm>

@@ -22,7 +22,14 @@ namespace MixedCracks
       return text;
     }
 
-    // Levenshtein distance, one row of the table at a time
+    // Levenshtein distance: with d(i, j) that of the first i letters of a and
+    // the first j of b,
+    //
+    //   d(i, j) = min( d(i-1, j-1) + [a_i /= b_j], d(i-1, j) + 1,
+    //                  d(i, j-1) + 1 ):
+    //
+    // replace, leave out, put in; d(i, 0) = i, d(0, j) = j. Row i takes the
+    // place of row i-1, whose entry to the upper left is kept in 'diagonal'.
     unsigned int
     edit_distance(const std::string &a, const std::string &b)
     {

@@ -1,4 +1,22 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
+// Where finer cells are asked for: predictor and corrector [HWW15, ch. 4]. The
+// step computes phi on the mesh it has (predictor); where
+//
+//   phi(x_v) < threshold  at a vertex of a cell that may be refined,
+//
+// that cell and all within 'margin' are refined, the accepted state is carried
+// over and the step repeated (corrector). A step is accepted on a mesh that its
+// own phase field does not ask to refine.
+//
+// A running crack would ask for the next cell in every iteration. Therefore
+// cells ahead of a tip at coarse cells are refined at once,
+//
+//   x_tip + s n,   s = step, 2 step, ... <= lookahead,
+//
+// n the direction out of the damage. Nodes with a forward direction (PointGrid:
+// damage reaches farther back than to the sides) that are nearer than
+// 'distance' to each other are one tip, and n is the sum of theirs.
+
 #include <deal.II/base/mpi.h>
 
 #include <discretization/adaptation.h>

@@ -1,4 +1,11 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
+// From places to flags. A cell of centre c and reach R (to its farthest vertex)
+// is asked to be fine if a growing place is within margin + R of c, or a
+// damaged one within kept_margin + R: if its ball meets the neighbourhood. A
+// cell may become coarser if its parent is not asked for, it is intact at all
+// vertices, and it was not refined at the start. kept_margin > margin keeps a
+// band from being refined and coarsened in turn.
+
 #include <deal.II/base/mpi.h>
 
 #include <discretization/adaptation.h>

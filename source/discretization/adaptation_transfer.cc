@@ -1,4 +1,10 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
+// Fields on a new mesh by nodal interpolation, x_new = I x_old: exact where
+// cells are cut, as the old space is part of the new one; a cell made coarser
+// keeps the values of its vertices (and of its other nodes, Q2). Then hanging
+// nodes of the new mesh. Q1 interpolation has weights in [0, 1] that add up to
+// 1, hence keeps bounds, 0 <= phi <= phi^(n-1) among them.
+
 #include <deal.II/distributed/solution_transfer.h>
 
 #include <discretization/adaptation.h>

@@ -1,4 +1,9 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
+// Connected parts of the body: cells that share a face hang together (flood
+// fill), parts that share only a vertex are hinged there, in space also along
+// an edge, by its two vertices. Groups are parts joined by hinges, found as
+// sets with union-find: root[root[x]] halves the paths.
+
 #include <discretization/body_parts.h>
 
 namespace MixedCracks

@@ -1,4 +1,16 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
+// Hanging nodes and supports of the elastic fields.
+//
+// A hanging node takes the value of the neighbour's shape functions there, x_h
+// = sum_j c_hj x_j, which keeps the fields continuous; in 2-d with Q1 the mean
+// of two vertices, with Q2 weights (3/8, 3/4, -1/8). Supports are not
+// constraints of the state but of corrections:
+//
+//   x = x_D + d,   x_D(t) set once per step (apply_prescribed),  d = 0 there,
+//
+// so that Newton's matrix has both, the state only hanging nodes, and the
+// residual in a row of a support, not set to 0, is the reaction.
+
 #include <base/collective.h>
 #include <base/compat.h>
 #include <base/errors.h>
@@ -37,6 +49,9 @@ namespace MixedCracks
 
 
 
+  // The dofs of the vertex at each point, within 1e-6 of the diameter of a
+  // cell. A hanging vertex cannot be held: its value follows from its
+  // neighbours.
   template <int dim>
   std::vector<types::global_dof_index>
   Constraints<dim>::find_points() const
@@ -165,6 +180,8 @@ namespace MixedCracks
 
 
 
+  // r <- r at supports, 0 elsewhere: the reactions. Of hanging nodes nothing is
+  // left, as their part was condensed to their neighbours.
   template <int dim>
   void
   Constraints<dim>::keep_prescribed(LinearAlgebra::Vector &residual) const

@@ -1,4 +1,19 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
+// The elements: Q2 x Q1 for (u, p), stable in the sense of Babuska and Brezzi
+// (Taylor-Hood), so that p does not oscillate where lambda/mu is large, and Q1
+// for phi, which keeps its bounds between the nodes. Q1 alone for u in the
+// displacement formulation: locks, which is what it is there to show.
+//
+//        o---o---o        p---+---p        f---+---f     o  u, dim values
+//        |       |        |       |        |       |     p  pressure
+//        o   o   o        +       +        +       +     f  phase field
+//        |       |        |       |        |       |
+//        o---o---o        p---+---p        f---+---f
+//
+// Gauss points: degree of u plus one per direction, exact for the polynomials
+// of degree 2 (degree u) + 1 in each direction, which the stiffness of an
+// intact rectangle is; rational or kinked integrands are not.
+
 #include <base/compat.h>
 
 #include <deal.II/base/quadrature_lib.h>

@@ -1,4 +1,27 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
+// Rigid motions that supports leave free: the kernel of the constraints among
+// all rigid motions, so that a singular matrix is named before it is
+// factorised.
+//
+// For one part the motion is u(x) = shift + omega x arm, arm = (x -
+// middle)/size, m = 3 numbers in the plane (omega, shift), 6 in space. A held
+// component d of a point x is one equation in these,
+//
+//   plane   u_x = shift_x - omega arm_y,   u_y = shift_y + omega arm_x
+//   space   u_d = shift_d + omega_next arm_last - omega_last arm_next,
+//
+// d, next, last cyclic. Parts that are hinged at x share u(x): dim equations
+// between the m numbers of both. All rows of a group span a space, its kernel
+// are the free motions; in reduced echelon form with the rotations first, rows
+// that begin with a translation are pure translations, so that they can be
+// named one by one.
+//
+// A rotation is named by its axis: with omega /= 0, the point where u = 0 is
+//
+//   plane   arm = (-shift_y, shift_x)/omega
+//   space   arm = omega x shift/|omega|^2; what omega . shift /= 0 leaves is a
+//           motion along the axis: a screw.
+
 #include <base/log.h>
 #include <base/names.h>
 

@@ -1,4 +1,21 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
+// The linear displacements on a mesh of quadratic ones, coarse space V_1 of the
+// two-level preconditioner in V_2,
+//
+//   V_1 = { u continuous, linear (bilinear, trilinear) on each cell },  in V_2,
+//   u_i = sum_v L_v(xi_i) U_v        for node i of a cell, v its vertices,
+//
+// L_v(xi_i) = 1 at a vertex, 1/2 in the middle of an edge, 1/4 of a face, 1/8
+// of a hexahedron. Its unknowns U_v are the vertices that do not hang; a
+// hanging vertex is U_h = sum of c_hv U_v with the constraints of linear
+// elements, which are those of the phase field. Supports: U_v = 0 where u is
+// held at the vertex.
+//
+//   P_(iv) = L_v(xi_i), with hanging U_h replaced by the U_v they depend on
+//
+// has the numbers of the elastic dofs in rows and columns. A row is the same
+// from whichever cell it is computed, as u is continuous.
+
 #include <base/compat.h>
 
 #include <deal.II/base/geometry_info.h>

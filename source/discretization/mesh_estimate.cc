@@ -1,4 +1,22 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
+// Numbers of cells and unknowns before the mesh is made: cells are cut on
+// paper, each only as far as it is decided by the regions,
+//
+//   most  levels that some part of the cell gets, with a ring around regions
+//         where neighbours of cut cells are cut so that levels differ by one
+//   least levels that every part gets.
+//
+// most = least: 2^(dim (to - from)) cells of level 'to'. Otherwise its
+// children, up to a number of visits. Width of the ring around a region of
+// level F for a cell of level L, in its own size: one cell of each level
+// between,
+//
+//   1/2 + 1/4 + ... + 2^-(F-1-L) = 1 - 2^-(F-1-L).
+//
+// Unknowns: exactly for the uniform part of the mesh; one vertex, and for
+// degree two 2^dim nodes, for each further cell, which is the limit far from
+// boundaries.
+
 #include <deal.II/base/mpi.h>
 
 #include <discretization/mesh_estimate.h>
@@ -215,7 +233,11 @@ namespace MixedCracks
 
 
 
-    // Of a mesh whose cells are all halved; doubles, as they grow fast.
+    // Vertices, edges, faces and cells of a mesh that is halved: each keeps its
+    // own, each edge has a new vertex in its middle and two halves, each
+    // quadrilateral a vertex, 4 edges and 4 quadrilaterals, each hexahedron a
+    // vertex, 6 edges, 12 quadrilaterals and 8 hexahedra. Quadratic elements
+    // have a node on each of them.
     template <int dim>
     struct Parts
     {

@@ -1,4 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
+// argmin over the vertices of |x_v - x|; of several that are equally near, the
+// one that is least in the order of coordinates x, then y, then z, found by one
+// reduction per coordinate: the same for any partition of the mesh.
+
 #include <base/log.h>
 
 #include <deal.II/base/mpi.h>

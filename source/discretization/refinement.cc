@@ -1,4 +1,10 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
+// Refinement from the start, by regions: a cell of level L is cut as long as L
+// < n_global + levels of a region that it meets. A box is met if the
+// intersection with the bounding box of the cell has a measure (but for 1e-6 of
+// the cell); the surroundings of boundary pieces if centre and piece are nearer
+// than distance + diameter/(2 sqrt(dim)), half an edge of a cube.
+
 #include <discretization/refinement.h>
 
 #include <algorithm>

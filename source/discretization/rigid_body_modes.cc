@@ -1,4 +1,14 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
+// What costs no elastic energy: the kernel of eps, u = c + W x with W
+// antisymmetric. In units of the body, with y = (x - middle)/size,
+//
+//   translations  u = e_d                        dim modes
+//   rotations     u = e_b y_a - e_a y_b, a < b   1 in the plane, 3 in space
+//
+// of entries up to 1, so that the coarse functions of multigrid are of one
+// size. They hold for linear and quadratic displacements alike, as they are
+// linear in x.
+
 #include <deal.II/base/geometry_info.h>
 #include <deal.II/base/mpi.h>
 

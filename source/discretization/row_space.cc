@@ -1,4 +1,12 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
+// Two small tools of linear algebra on rows, dense, for a few dozen columns.
+//
+// RowSpace: Gram and Schmidt, twice per row, since once leaves rounding errors
+// that grow with |row|/|what is left|; a row is dependent when less than
+// negligible_row |row| is left. The kernel { x : r . x = 0 for all rows r } are
+// the unit rows made orthogonal to the space and to each other in the same way:
+// what they add to the space until there are as many rows as columns.
+
 #include <discretization/row_space.h>
 
 #include <cmath>
@@ -68,6 +76,8 @@ namespace MixedCracks
 
 
 
+  // Gauss and Jordan with the largest entry of a column as pivot: subtract
+  // multiples of the pivot's row from all others, above as well as below.
   std::vector<Row>
   reduced_echelon_form(std::vector<Row> rows, const std::size_t n_columns)
   {

@@ -1,4 +1,14 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
+// Slits: two boundary faces of the coarse mesh at one place, with doubled
+// nodes. All pairs would be n^2 comparisons; sorted by a linear function of the
+// centre, f(x) = sum_d (0.6180 + 0.2718 d) x_d, only those are compared whose f
+// differs by at most twice the tolerance, as |grad f| < 1.6.
+//
+//      cell A            f(x_A) and f(x_B) differ by rounding; then the
+//    ----o----o----      corners are compared, in any order, and the normal
+//    ----o----o----      is that of the first cell, outward
+//      cell B
+
 #include <deal.II/grid/tria_accessor.h>
 #include <deal.II/grid/tria_iterator.h>
 

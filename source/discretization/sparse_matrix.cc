@@ -1,4 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
+// The pattern of a matrix: (i, j) where i and j share a cell, or depend on dofs
+// that do. Rows and columns of constrained dofs have their diagonal entry only,
+// since assembly condenses them: C^T A C.
+
 #include <deal.II/dofs/dof_tools.h>
 
 #include <discretization/sparse_matrix.h>

@@ -129,6 +129,8 @@ namespace MixedCracks
 
 
 
+  // max |phi - phi~| < tolerance, or < running_tolerance where a crack has run
+  // (phi has fallen by more than 0.9 somewhere) and stands
   template <int dim>
   bool
   StepSolver<dim>::is_settled(const StepOutcome &outcome) const
@@ -142,6 +144,8 @@ namespace MixedCracks
 
 
 
+  // phi~ = phi^(n-1), or clip( phi^(n-2) + (1 + dt_n/dt_(n-1)) (phi^(n-1) -
+  // phi^(n-2)) ) to [0, phi^(n-1)]
   template <int dim>
   void
   StepSolver<dim>::start_lagged_field(const State &accepted, State &trial) const
@@ -158,6 +162,7 @@ namespace MixedCracks
 
 
 
+  // phi~ <- clip(next(phi~, phi)) to [0, phi^(n-1)]
   template <int dim>
   void
   StepSolver<dim>::advance_lagged_field(const State &accepted, State &trial)

@@ -322,7 +322,9 @@ TEST(Degradation, GoesFromResidualStiffnessToOne)
                       (2. * h),
                     1e-8);
         if (g->is_quadratic())
+        {
           EXPECT_DOUBLE_EQ(g->second_derivative(phi), g->second_derivative(0.));
+        }
       }
     }
 }
