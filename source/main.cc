@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include <base/collective.h>
 #include <base/single_process.h>
+#include <base/standard_streams.h>
 #include <base/stop_request.h>
 #include <base/version.h>
 
@@ -54,6 +55,17 @@ namespace
 
 
 
+  // Where the answer is all that is wanted, it has to arrive. A run goes on
+  // without a screen: it has its log.txt.
+  void
+  require_written_output()
+  {
+    throw_on_all_ranks(on_first_rank() ? failure_of_output() : "",
+                       MPI_COMM_WORLD);
+  }
+
+
+
   // --help, --version and --parameters: say it and be done
   bool
   answer_question(const CommandLine &command)
@@ -74,7 +86,8 @@ namespace
     else
       return false;
     if (on_first_rank())
-      std::cout << out.str() << std::flush;
+      std::cout << out.str();
+    require_written_output();
     return true;
   }
 
@@ -176,6 +189,7 @@ namespace
       if (command.check)
       {
         simulation.preflight(true);
+        require_written_output();
         return RunOutcome();
       }
       return simulation.run(command.overwrite ? ExistingRun::overwrite
@@ -185,6 +199,7 @@ namespace
     std::unique_ptr<const RunLock> lock;
     if (!command.check)
     {
+      survive_closed_pipes();
       listen_for_stop_requests();
       lock = lock_output(parameters.output.directory);
     }
@@ -228,6 +243,7 @@ namespace
 int
 main(int argc, char **argv)
 {
+  occupy_standard_streams();
   prepare_single_process();
   survive_file_size_limit();
   const bool                               under_nohup = ignores_hangup();

@@ -57,6 +57,23 @@ class Questions(unittest.TestCase):
                        "--parameters", "--version", "--help", "Exit status"):
             self.assertIn(option, text)
 
+    @unittest.skipUnless(os.path.exists("/dev/full"), "there is no /dev/full")
+    def test_answers_that_cannot_be_written(self):
+        for words in (["--help"], ["--version"], ["--parameters", "json"],
+                      ["--check", "case.prm"]):
+            with open("/dev/full", "w") as full:
+                process = subprocess.run(
+                    [COMMAND[0]] + words, cwd=self.folder, stdout=full,
+                    stderr=subprocess.PIPE, universal_newlines=True, timeout=60)
+            self.assertEqual(process.returncode, 4, words)
+            self.assertEqual(process.stderr.count("error:"), 1, process.stderr)
+            self.assertIn("standard output", process.stderr)
+        # a run has its log.txt
+        with open("/dev/full", "w") as full:
+            subprocess.run([COMMAND[0], "case.prm", "--output", "unseen"],
+                           cwd=self.folder, stdout=full, timeout=60, check=True)
+        self.assertEqual(len(self.rows("unseen", "statistics.csv")), 3)
+
     def test_version(self):
         text = self.ask("--version")
         for name in ("mixed-cracks ", "deal.II ", "Trilinos ", "p4est ", "MPI"):
