@@ -87,6 +87,70 @@ def before_the_first_state(folder):
         assert not directory.exists(), list(directory.iterdir())
 
 
+FORGETFUL = """#!/bin/bash
+# a launcher that has no ranks yet when it is asked first, as mpirun may
+asked=0
+trap 'asked=$((asked + 1)); [ $asked -lt 2 ] || exit 5' USR1
+echo ready >'%s/ready'
+for i in $(seq 200); do sleep 0.1; done
+"""
+
+
+def a_request_that_gets_lost_is_repeated(folder):
+    launcher = folder / "forgetful"
+    launcher.write_text(FORGETFUL % folder)
+    launcher.chmod(0o755)
+    process = common.start(by_launcher(2), folder / "none", env=dict(
+        os.environ, MIXED_CRACKS_MPIRUN=str(launcher)))
+    common.wait_for((folder / "ready").exists, process)
+    common.ask(process, signal.SIGTERM)
+    common.finish(process, 5)
+
+
+def a_request_in_the_start_up_is_heard(folder):
+    """Whatever the moment: before mpirun listens, before it has ranks, before
+    these listen, before there is a state. 138: killed by SIGUSR1, no harm done."""
+    for hundredths in (10, 20, 30, 60):
+        directory = folder / ("start %d" % hundredths)
+        process = common.start(by_launcher(2), directory, settings=[
+            "Load stepping/End time=1000"])
+        time.sleep(0.01 * hundredths)
+        common.ask(process, signal.SIGTERM)
+        output, _ = process.communicate(timeout=common.WAIT)
+        assert process.returncode in (5, 6, 128 + signal.SIGUSR1), output
+        assert process.returncode != 6 or not directory.exists(), output
+
+
+def repeated_requests_are_one(folder):
+    """Also while the checkpoint is written."""
+    directory = folder / "hammered"
+    process = common.start(direct(), directory)
+    common.wait_for_rows(directory, 2, process)
+    while process.poll() is None:
+        common.ask(process, signal.SIGUSR1)
+        time.sleep(0.002)
+    common.finish(process, 5)
+    common.run(direct(), directory, "--resume",
+               settings=["Load stepping/End time=1"])
+
+
+def nobody_reads_what_it_says(folder):
+    """A run goes on without its screen, and can be stopped in order."""
+    for how in (direct(), by_launcher(2)):
+        for name in (None, signal.SIGTERM):
+            directory = folder / ("unread %d %s" % (len(how), name))
+            process = common.start(how, directory)
+            process.stdout.readline()
+            process.stdout.close()
+            if name:
+                common.wait_for_rows(directory, 4, process)
+                common.ask(process, name)
+            assert process.wait(common.WAIT) == (5 if name else 0), (how, name)
+            assert len(common.rows(directory)) == 25 or name
+            log = (directory / "log.txt").read_text().splitlines()
+            assert log[-1].startswith("seconds:"), log[-3:]
+
+
 def main():
     common.set_environment()
     with tempfile.TemporaryDirectory() as temporary:
@@ -96,6 +160,10 @@ def main():
         stopped_again_and_again(whole, folder / "parts")
         a_closed_terminal_does_not_stop_what_is_under_nohup(folder)
         before_the_first_state(folder)
+        a_request_that_gets_lost_is_repeated(folder)
+        a_request_in_the_start_up_is_heard(folder)
+        repeated_requests_are_one(folder)
+        nobody_reads_what_it_says(folder)
         a_second_ctrl_c_ends_what_does_not_stop(folder)
 
 
