@@ -24,6 +24,13 @@ namespace MixedCracks
     /// @p append an existing file is continued.
     void open(const std::string &file_name, bool append);
 
+    /// Bytes that open() will write.
+    std::size_t
+    size_until_open() const
+    {
+      return before_file.size();
+    }
+
     /// Write one line.
     void line(const std::string &text);
 

@@ -2,6 +2,8 @@
 #ifndef mixed_cracks_output_directory_h
 #define mixed_cracks_output_directory_h
 
+#include <output/disk.h>
+
 #include <mpi.h>
 
 #include <string>
@@ -29,10 +31,13 @@ namespace MixedCracks
   /// Make @p directory ready for a run: create it, and in it "fields" where
   /// that is among the @p names, see that files can be written, and begin
   /// run_files.txt. Where a run is to be overwritten, what it has recorded is
-  /// removed, and nothing else. Throws FileError. Collective.
+  /// removed, and nothing else, and not before there is room for the list and
+  /// the @p first_files of the new one, whose paths are relative to the
+  /// directory. Throws FileError. Collective.
   void prepare_output_directory(const std::string              &directory,
                                 ExistingRun                     existing,
                                 const std::vector<std::string> &names,
+                                const std::vector<SizedFile>   &first_files,
                                 MPI_Comm                        communicator);
 
   /// What is at a directory before a run, so that a run that is refused later,

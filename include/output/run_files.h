@@ -18,6 +18,13 @@ namespace MixedCracks
   /// Whether the directory has a list.
   bool has_run_files(const std::string &directory);
 
+  /// What a run writes below "checkpoint", relative to the output directory;
+  /// of each generation the seal first.
+  std::vector<std::string> checkpoint_files();
+
+  /// The same in one generation, relative to its folder.
+  const std::vector<std::string> &files_of_generation();
+
   /// Begin the list with what is @p recorded otherwise, or continue the one
   /// that is there, with those @p names that do not exist yet: what exists is
   /// not the run's. False when it cannot be written.
@@ -25,13 +32,14 @@ namespace MixedCracks
                        const std::vector<std::string> &recorded,
                        const std::vector<std::string> &names);
 
-  /// Add names to the list; without a list nothing is kept. False when it
-  /// cannot be written.
+  /// Add the names that are not in the list yet; without a list nothing is
+  /// kept. False when it cannot be written.
   bool note_run_files(const std::string              &directory,
                       const std::vector<std::string> &names);
 
   /// What runs in this directory have recorded: the names in the list and
-  /// those in the seals of checkpoints. A run of version 0.1 kept no list; it
+  /// those of checkpoints, whose folder is in the list or which have a seal. A
+  /// run of version 0.1 kept no list; it
   /// is known by statistics.csv, log.txt and parameters.prm together, and its
   /// files by their names. Empty where there is no run.
   std::vector<std::string> files_of_runs(const std::string &directory);

@@ -26,9 +26,11 @@ namespace MixedCracks
     /// what the cracks say; nothing where they are not traced
     std::optional<bool> separated;
     /// below Load stepping/Stop when force falls below, at the end
-    bool         force_fell        = false;
-    bool         with_crack_volume = false;
-    int          dimension         = 2;
+    bool force_fell = false;
+    /// RunEnd::no_equilibrium: the load of the last row was not carried
+    bool         without_equilibrium = false;
+    bool         with_crack_volume   = false;
+    int          dimension           = 2;
     Outcome      cracks;
     std::string  exit_reason;
     int          exit_status    = 0;
@@ -45,8 +47,10 @@ namespace MixedCracks
                             const Summary                    &summary,
                             const std::vector<StatisticsRow> &rows);
 
-  /// Index of the row with the largest force.
-  std::size_t peak_row(const std::vector<StatisticsRow> &rows);
+  /// Index of the row with the largest force; @p without_equilibrium: of those
+  /// but the last, whose force is a load that was not carried.
+  std::size_t peak_row(const std::vector<StatisticsRow> &rows,
+                       bool                              without_equilibrium);
 } // namespace MixedCracks
 
 #endif

@@ -5,9 +5,6 @@
 #include <output/disk.h>
 #include <output/text_archive.h>
 
-#include <algorithm>
-#include <filesystem>
-#include <fstream>
 #include <sstream>
 
 namespace MixedCracks
@@ -148,15 +145,11 @@ namespace MixedCracks
   files_of_libraries(const std::string &directory)
   {
     std::vector<FileOnDisk> files;
-    for (const auto &entry : std::filesystem::directory_iterator(directory))
-    {
-      const std::string name = '/' + entry.path().filename().string();
-      if (name != seal_name && name != record_name)
-        files.push_back(described(entry.path().string(), name.substr(1)));
-    }
-    std::sort(files.begin(), files.end(), [](const auto &a, const auto &b) {
-      return a.name < b.name;
-    });
+    // whatever else lies there is of somebody else
+    for (const char *const name :
+         {"mesh", "mesh.info", "mesh_fixed.data", "mesh_variable.data"})
+      if (size_of_file(directory + '/' + name) >= 0)
+        files.push_back(described(directory + '/' + name, name));
     return files;
   }
 

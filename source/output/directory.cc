@@ -24,8 +24,8 @@ namespace MixedCracks
       for (const char *name : {"statistics.csv",
                                "log.txt",
                                "parameters.prm",
-                               "checkpoint/generation-0",
-                               "checkpoint/generation-1"})
+                               "checkpoint/generation-0/seal.txt",
+                               "checkpoint/generation-1/seal.txt"})
         if (fs::exists(fs::path(directory) / name, error))
           return true;
       return has_run_files(directory);
@@ -54,11 +54,21 @@ namespace MixedCracks
                       names.end(),
                       name.substr(0, name.find('/') + 1)) != names.end())
           names.push_back(name);
+      for (const std::string &name : checkpoint_files())
+        names.push_back(name);
       std::error_code error;
       for (const std::string &name : names)
-        if (name.back() != '/' && fs::exists(fs::path(directory) / name, error))
-          if (std::find(known.begin(), known.end(), name) == known.end())
-            return name;
+      {
+        const auto kind      = fs::status(fs::path(directory) / name, error);
+        const bool is_folder = name.back() == '/';
+        const bool is_known =
+          is_folder ||
+          std::find(known.begin(), known.end(), name) != known.end();
+        // a folder in the place of a file would stay there, and the reverse
+        if (fs::exists(kind) &&
+            (!is_known || fs::is_directory(kind) != is_folder))
+          return is_folder ? name.substr(0, name.size() - 1) : name;
+      }
       return "";
     }
 
@@ -74,6 +84,23 @@ namespace MixedCracks
                           directory.string() + "'.");
       }
       fs::remove(probe);
+    }
+
+    void
+    require_room(const std::string              &directory,
+                 const std::vector<std::string> &names,
+                 std::vector<SizedFile>          files)
+    {
+      std::uint64_t size_of_list = 1024; // its head
+      for (const std::string &name : names)
+        size_of_list += name.size() + 1;
+      files.push_back({run_files_name, size_of_list});
+      for (SizedFile &file : files)
+        file.path = (fs::path(directory) / file.path).string();
+      const std::string problem = missing_space_for(files);
+      if (!problem.empty())
+        throw FileError(
+          "Output/Directory: the run cannot be begun: " + problem + ".");
     }
 
     // whether there is nothing that would have to go first
@@ -109,10 +136,12 @@ namespace MixedCracks
     void
     prepare(const std::string              &directory,
             const ExistingRun               existing,
-            const std::vector<std::string> &names)
+            const std::vector<std::string> &names,
+            const std::vector<SizedFile>   &first_files)
     {
       fs::create_directories(directory);
       require_writable(directory);
+      require_room(directory, names, first_files);
       if (existing == ExistingRun::overwrite)
         remove_run_files(directory, files_of_runs(directory));
       if (!begin_run_files(directory, files_of_runs(directory), names))
@@ -210,9 +239,11 @@ namespace MixedCracks
   prepare_output_directory(const std::string              &directory,
                            const ExistingRun               existing,
                            const std::vector<std::string> &names,
+                           const std::vector<SizedFile>   &first_files,
                            const MPI_Comm                  communicator)
   {
-    on_first_rank(
-      directory, communicator, [&]() { prepare(directory, existing, names); });
+    on_first_rank(directory, communicator, [&]() {
+      prepare(directory, existing, names, first_files);
+    });
   }
 } // namespace MixedCracks

@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
+#include <output/checkpoint_seal.h>
+#include <output/disk.h>
 #include <output/run_files.h>
 
 #include <algorithm>
 #include <filesystem>
 #include <fstream>
 #include <regex>
-#include <sstream>
+#include <set>
 
 namespace MixedCracks
 {
@@ -58,39 +60,79 @@ namespace MixedCracks
       return lines;
     }
 
+    // A line that was cut off when a run was killed would make one name with
+    // what is added.
+    void
+    remove_cut_line(const std::string &path)
+    {
+      const std::string text = contents_of_file(path);
+      std::error_code   error;
+      if (!text.empty() && text.back() != '\n')
+        fs::resize_file(path, text.rfind('\n') + 1, error);
+    }
+
     bool
     append(const std::string &directory, const std::string &text)
     {
-      std::ofstream file(fs::path(directory) / run_files_name, std::ios::app);
+      if (text.empty())
+        return true;
+      const std::string path = (fs::path(directory) / run_files_name).string();
+      remove_cut_line(path);
+      std::ofstream file(path, std::ios::app);
       file << text << std::flush;
       return static_cast<bool>(file);
     }
 
-    // The seal of a checkpoint names its files: "3\nmesh 123\n...". What a
-    // checkpoint without one may hold has been cut off while it was written.
-    void
-    add_checkpoints(const fs::path &directory, std::vector<std::string> &names)
+    // of names those that are not in the list
+    std::string
+    new_lines(const std::string              &directory,
+              const std::vector<std::string> &names)
     {
-      for (const std::string generation : generations)
-      {
-        const fs::path folder = directory / generation;
-        if (!fs::is_directory(folder))
-          continue;
-        for (const char *name : {"seal.txt",
-                                 "record.txt",
-                                 "mesh",
-                                 "mesh.info",
-                                 "mesh_fixed.data",
-                                 "mesh_variable.data"})
-          names.push_back(generation + name);
-        for (const std::string &line : lines_of(folder / "seal.txt"))
+      const auto listed = lines_of(fs::path(directory) / run_files_name);
+      std::set<std::string> known(listed.begin(), listed.end());
+      std::string           text;
+      for (const std::string &name : names)
+        if (known.insert(name).second)
+          text += name + '\n';
+      return text;
+    }
+
+    // The first format of a seal named the files: "3\nmesh 123\n...".
+    void
+    add_generation(const fs::path           &directory,
+                   const std::string        &generation,
+                   std::vector<std::string> &names)
+    {
+      for (const std::string &name : files_of_generation())
+        names.push_back(generation + name);
+      if (read_seal((directory / generation).string()).format == 1)
+        for (const std::string &line :
+             lines_of(directory / generation / "seal.txt"))
         {
           const std::string name = line.substr(0, line.find(' '));
           if (name.find('/') == std::string::npos)
             names.push_back(generation + name);
         }
-        names.push_back(generation);
-      }
+      names.push_back(generation);
+    }
+
+    // A checkpoint is that of a run when a list names its folder, or a seal
+    // shows it: a generation without one has been cut off while it was
+    // written, and the seal of the other one speaks for it. Otherwise somebody
+    // else has files with these names.
+    void
+    add_checkpoints(const fs::path &directory, std::vector<std::string> &names)
+    {
+      const std::set<std::string> listed(names.begin(), names.end());
+      bool                        is_sealed = false;
+      for (const char *const generation : generations)
+        is_sealed =
+          is_sealed || read_seal((directory / generation).string()).format > 0;
+      for (const char *const generation : generations)
+        if (fs::is_directory(directory / generation) &&
+            (is_sealed || listed.count("checkpoint/") > 0 ||
+             listed.count(generation) > 0))
+          add_generation(directory, generation, names);
     }
 
     // files in one folder whose names fit
@@ -136,6 +178,38 @@ namespace MixedCracks
 
 
 
+  const std::vector<std::string> &
+  files_of_generation()
+  {
+    // those of the libraries, and what is left of one that was being written
+    static const std::vector<std::string> names{"seal.txt",
+                                                "seal.txt.part",
+                                                "record.txt",
+                                                "record.txt.part",
+                                                "record.txt.reserved",
+                                                "mesh",
+                                                "mesh.reserved",
+                                                "mesh.info",
+                                                "mesh_fixed.data",
+                                                "mesh_fixed.data.reserved",
+                                                "mesh_variable.data"};
+    return names;
+  }
+
+
+
+  std::vector<std::string>
+  checkpoint_files()
+  {
+    std::vector<std::string> names;
+    for (const std::string generation : generations)
+      for (const std::string &name : files_of_generation())
+        names.push_back(generation + name);
+    return names;
+  }
+
+
+
   bool
   has_run_files(const std::string &directory)
   {
@@ -151,15 +225,15 @@ namespace MixedCracks
                   const std::vector<std::string> &recorded,
                   const std::vector<std::string> &names)
   {
-    const bool  is_new = !has_run_files(directory);
-    std::string text   = is_new ? first_line : "";
+    const bool               is_new = !has_run_files(directory);
+    std::vector<std::string> of_runs;
     if (is_new)
-      for (const std::string &name : recorded)
-        text += name + '\n';
+      of_runs = recorded;
     for (const std::string &name : names)
       if (!is_there(fs::path(directory) / name))
-        text += name + '\n';
-    if (append(directory, text))
+        of_runs.push_back(name);
+    if (append(directory,
+               (is_new ? first_line : "") + new_lines(directory, of_runs)))
       return true;
     std::error_code error; // a list that is cut off would pass for another's
     if (is_new)
@@ -175,10 +249,7 @@ namespace MixedCracks
   {
     if (!has_run_files(directory))
       return true;
-    std::string text;
-    for (const std::string &name : names)
-      text += name + '\n';
-    return append(directory, text);
+    return append(directory, new_lines(directory, names));
   }
 
 

@@ -47,11 +47,13 @@ namespace MixedCracks
 
 
     void
-    add_peak(JsonObject &json, const std::vector<StatisticsRow> &rows)
+    add_peak(JsonObject                       &json,
+             const std::vector<StatisticsRow> &rows,
+             const bool                        without_equilibrium)
     {
       if (rows.empty())
         return;
-      const StatisticsRow &peak = rows[peak_row(rows)];
+      const StatisticsRow &peak = rows[peak_row(rows, without_equilibrium)];
       const StatisticsRow &last = rows.back();
       json.add("steps", last.step);
       json.add("peak_force_N", peak.force_size());
@@ -78,14 +80,15 @@ namespace MixedCracks
 
 
   std::size_t
-  peak_row(const std::vector<StatisticsRow> &rows)
+  peak_row(const std::vector<StatisticsRow> &rows,
+           const bool                        without_equilibrium)
   {
-    const auto largest =
-      std::max_element(rows.begin(),
-                       rows.end(),
-                       [](const StatisticsRow &a, const StatisticsRow &b) {
-                         return a.force_size() < b.force_size();
-                       });
+    const auto end =
+      without_equilibrium && rows.size() > 1 ? rows.end() - 1 : rows.end();
+    const auto largest = std::max_element(
+      rows.begin(), end, [](const StatisticsRow &a, const StatisticsRow &b) {
+        return a.force_size() < b.force_size();
+      });
     return static_cast<std::size_t>(std::distance(rows.begin(), largest));
   }
 
@@ -112,7 +115,7 @@ namespace MixedCracks
     json.add("length_scale_mm", summary.length_scale);
     json.add("residual_stiffness", summary.residual_stiffness);
     json.add("thickness_mm", summary.thickness);
-    add_peak(json, rows);
+    add_peak(json, rows, summary.without_equilibrium);
     if (!rows.empty())
       json.add(crack_surface_name(summary.dimension),
                rows.back().crack_surface);

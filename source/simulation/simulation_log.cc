@@ -254,7 +254,9 @@ namespace MixedCracks
   void
   Simulation<dim>::log_end(const RunOutcome &outcome, const Summary &summary)
   {
-    const StatisticsRow &peak = statistics.rows()[peak_row(statistics.rows())];
+    const StatisticsRow &peak =
+      statistics
+        .rows()[peak_row(statistics.rows(), summary.without_equilibrium)];
     const StatisticsRow &last = statistics.rows().back();
     log.line("");
     log.line("end: " + outcome.reason);

@@ -14,6 +14,9 @@ namespace MixedCracks
 
   namespace
   {
+    // bytes: the header of statistics.csv, points of the user's own included
+    constexpr std::uint64_t room_for_first_rows = 4096;
+
     // Relative to the output directory, folders with '/' behind; files that
     // have a number in their names are recorded when they are written.
     template <int dim>
@@ -71,9 +74,15 @@ namespace MixedCracks
     const ExistingRun  existing  = *waiting_output;
     const std::string &directory = parameters.output.directory;
     waiting_output.reset();
-    prepare_output_directory(
-      directory, existing, files_to_be_written(parameters), communicator);
+    prepare_output_directory(directory,
+                             existing,
+                             files_to_be_written(parameters),
+                             {{"parameters.prm", effective_parameters.size()},
+                              {"log.txt", log.size_until_open()},
+                              {"statistics.csv", room_for_first_rows}},
+                             communicator);
     log.open(directory + "/log.txt", existing == ExistingRun::resume);
+    throw_on_all_ranks(log.failure(), communicator);
     statistics.open(directory + "/statistics.csv",
                     dim,
                     parameters.crack_opening.crack_volume,
@@ -150,7 +159,9 @@ namespace MixedCracks
     watch_slits(state);
     throw_on_all_ranks(log.failure(), communicator);
 
-    if (row.force_size() > load_control.peak_force())
+    // a load that nothing carries any more is no force that was borne
+    const bool is_carried = loads_are_carried(state);
+    if (is_carried && row.force_size() > load_control.peak_force())
     {
       peak_state = state;
       peak_state.reaction.clear(); // which is of no use on another mesh
@@ -160,9 +171,10 @@ namespace MixedCracks
     crack_path_writer.add(row.step, row.time, row.displacement, cracks.paths);
     if (parameters.load.stop_when_separated && cracks.separate_body)
       run_end = RunEnd::separated;
-    if (load_control.has_fallen(row.force_size()) && run_end == RunEnd::none)
+    if (is_carried && load_control.has_fallen(row.force_size()) &&
+        run_end == RunEnd::none)
       run_end = RunEnd::force_fell;
-    if (!loads_are_carried(state))
+    if (!is_carried)
       run_end = RunEnd::no_equilibrium;
     check_damage();
     write_fields_when_due(state);
@@ -252,16 +264,17 @@ namespace MixedCracks
     summary.thickness          = parameters.material.thickness;
     summary.force_fell =
       statistics.rows().back().force_size() < load_control.fallen_force();
-    summary.exit_reason       = outcome.reason;
-    summary.exit_status       = outcome.exit_status;
-    summary.rejected_steps    = cost.rejected_steps;
-    summary.factorizations    = cost.factorizations;
-    summary.solves            = cost.solves;
-    summary.wall_time         = cost.wall_time;
-    summary.phases            = cost.phases;
-    summary.dimension         = dim;
-    summary.with_crack_volume = parameters.crack_opening.crack_volume;
-    summary.warnings          = all_warnings();
+    summary.without_equilibrium = run_end == RunEnd::no_equilibrium;
+    summary.exit_reason         = outcome.reason;
+    summary.exit_status         = outcome.exit_status;
+    summary.rejected_steps      = cost.rejected_steps;
+    summary.factorizations      = cost.factorizations;
+    summary.solves              = cost.solves;
+    summary.wall_time           = cost.wall_time;
+    summary.phases              = cost.phases;
+    summary.dimension           = dim;
+    summary.with_crack_volume   = parameters.crack_opening.crack_volume;
+    summary.warnings            = all_warnings();
     for (const std::string &warning :
          {damage_warning(),
           imbalance_in_words(statistics.rows(),

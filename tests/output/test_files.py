@@ -7,6 +7,7 @@ usage: test_files.py EXECUTABLE MPIRUN
 """
 import os
 import shutil
+import subprocess
 import sys
 import tempfile
 import unittest
@@ -43,6 +44,58 @@ class Files(unittest.TestCase):
         for name, data in before.items():
             self.assertEqual(after[name], data, name)
         return out
+
+    def limited(self, kilobytes, *options):
+        """A run whose files may not be larger, without mpirun: that has larger
+        ones of its own. What it says; its exit status has to be 4."""
+        result = subprocess.run(
+            ["bash", "-c", 'ulimit -f %d; exec "$@"' % kilobytes, "bash",
+             PROGRAM[0], "case.prm", *options], cwd=self.folder, timeout=240,
+            stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True)
+        self.assertEqual(result.returncode, 4, result.stdout)
+        self.assertEqual(result.stdout.count("mixed-cracks: error:"), 1)
+        return result.stdout
+
+    def test_run_that_cannot_begin_leaves_the_old_one(self):
+        self.run_case("--output", "old")
+        before = content(self.folder)
+        for kilobytes in (0, 3, 20):  # parameters.prm has 30
+            self.limited(kilobytes, "--output", "old", "--overwrite")
+            self.assertEqual(content(self.folder), before)
+            self.limited(kilobytes, "--output", "new/folder")
+            self.assertEqual(content(self.folder), before)
+
+    def test_folder_in_the_place_of_a_file_is_in_the_way(self):
+        self.run_case("--output", "old")
+        os.rename(self.path("old", "parameters.prm"), self.path("old", "p.prm"))
+        write(self.path("old"), "parameters.prm/notes.txt")
+        self.assertIn("'parameters.prm'", self.unchanged(
+            "--output", "old", "--overwrite", status=4))
+
+    def test_checkpoint_that_no_run_has_written_is_in_the_way(self):
+        name = "checkpoint/generation-0/record.txt"
+        write(self.path("mine"), name)
+        for options in ((), ("--overwrite",)):
+            out = self.unchanged("--output", "mine", *options, status=4)
+            self.assertIn("'%s'" % name, out)
+        # what a run does not write there stays, while it writes and afterwards
+        notes = self.path("run", "checkpoint", "generation-0")
+        write(notes, "notes.txt")
+        for options in ((), ("--overwrite",)):
+            self.run_case("--output", "run", *options)
+            self.assertEqual(text_of(notes, "notes.txt"), "of the user\n")
+            self.assertIn("seal.txt", os.listdir(notes))
+
+    def test_list_has_every_name_once(self):
+        self.run_case("--output", "run")
+        listed = text_of(self.path("run"), "run_files.txt")
+        for _ in range(2):  # it has ended: nothing is calculated
+            self.run_case("--output", "run", "--resume")
+            self.assertEqual(text_of(self.path("run"), "run_files.txt"), listed)
+        self.run_case("--output", "run", "--resume",
+                      settings=["Load stepping/End time=1.5"])
+        lines = text_of(self.path("run"), "run_files.txt").splitlines()
+        self.assertEqual(len(lines), len(set(lines)), lines)
 
     def test_refused_run_leaves_files_of_the_user(self):
         for name in OF_THE_USER:

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // What a run records of its files, and what is removed by that.
+#include <output/disk.h>
 #include <output/run_files.h>
 
 #include <gtest/gtest.h>
@@ -117,6 +118,50 @@ TEST_F(RunFilesOfADirectory, AreNotRecordedWithoutAList)
   write(run_files_name, "a list of mine\n");
   EXPECT_FALSE(has_run_files(directory));
   EXPECT_TRUE(files_of_runs(directory).empty());
+}
+
+
+
+TEST_F(RunFilesOfADirectory, AreListedOnce)
+{
+  ASSERT_TRUE(begin_run_files(directory, {}, {"log.txt", "fields/"}));
+  ASSERT_TRUE(note_run_files(directory, {"fields/a", "fields/b", "fields/a"}));
+  const std::string list = contents_of_file(directory + "/run_files.txt");
+  ASSERT_TRUE(begin_run_files(directory, {}, {"log.txt", "fields/"}));
+  ASSERT_TRUE(note_run_files(directory, {"fields/b"}));
+  EXPECT_EQ(contents_of_file(directory + "/run_files.txt"), list);
+  EXPECT_EQ(files_of_runs(directory).size(), 4u);
+}
+
+
+
+// What is added must not go on with such a line.
+TEST_F(RunFilesOfADirectory, AreAddedBehindALineThatWasCutOff)
+{
+  ASSERT_TRUE(begin_run_files(directory, {}, {"log.txt"}));
+  std::ofstream(fs::path(directory) / run_files_name, std::ios::app) << "fie";
+  ASSERT_TRUE(note_run_files(directory, {"summary.json"}));
+  EXPECT_EQ(files_of_runs(directory),
+            (std::vector<std::string>{"log.txt", "summary.json"}));
+}
+
+
+
+// The names of a checkpoint alone say nothing about who wrote it.
+TEST_F(RunFilesOfADirectory, LeaveOutACheckpointOfSomebodyElse)
+{
+  const std::string record = "checkpoint/generation-0/record.txt";
+  write(record);
+  EXPECT_TRUE(files_of_runs(directory).empty());
+  ASSERT_TRUE(begin_run_files(directory, {}, {"log.txt"}));
+  remove_all_of_runs();
+  EXPECT_TRUE(there_is(record));
+  // one of a run that was killed, whose list names the folder
+  ASSERT_TRUE(begin_run_files(directory, {}, {"checkpoint/generation-1/"}));
+  write("checkpoint/generation-1/record.txt");
+  remove_all_of_runs();
+  EXPECT_FALSE(there_is("checkpoint/generation-1"));
+  EXPECT_TRUE(there_is(record));
 }
 
 
