@@ -7,12 +7,14 @@
 #include <discretization/fields.h>
 #include <discretization/state.h>
 
+#include <output/checkpoint_generations.h>
 #include <output/checkpoint_seal.h>
 #include <output/run_end.h>
 #include <output/run_totals.h>
 #include <output/statistics.h>
 
 #include <map>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -78,6 +80,13 @@ namespace MixedCracks
     /// FileError when there is none, or one of another format. Collective.
     RunRecord read();
 
+    /// What read() has found.
+    const Generations &
+    found() const
+    {
+      return *generations;
+    }
+
     /// Refine the coarse mesh as it was, after read(). Throws FileError.
     void load_mesh(Triangulation &triangulation) const;
 
@@ -88,24 +97,18 @@ namespace MixedCracks
                      State             &state) const;
 
   private:
-    std::string generation_directory(int generation) const;
+    std::string newest_directory() const;
 
-    /// See which generations there are, on rank 0, and tell all; what is wrong
-    /// with those that are not whole, or nothing.
-    std::string look_for_generations();
-
-    /// Empty a generation and see that the disk has room for a new one.
+    /// Remove the files of a generation and see that the disk has room for a
+    /// new one.
     void make_room(const std::string   &path,
                    const Fields<dim>   &fields,
                    const Triangulation &triangulation) const;
 
-    const std::string directory;
-    const MPI_Comm    communicator;
-    bool              has_looked       = false;
-    bool              has_other_format = false; ///< one of the generations
-    int               newest           = -1;    ///< whole generation, if any
-    unsigned long int number           = 0; ///< of the checkpoints of the run
-    ContentsOnDisk    contents;             ///< of the one that was read
+    const std::string          directory;
+    const MPI_Comm             communicator;
+    std::optional<Generations> generations; ///< once somebody has looked
+    ContentsOnDisk             contents;    ///< of the one that was read
   };
 
   /// Bytes that one generation takes on a mesh of @p n_cells, about; without

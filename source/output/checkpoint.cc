@@ -6,6 +6,7 @@
 #include <output/checkpoint.h>
 #include <output/directory.h>
 #include <output/disk.h>
+#include <output/run_files.h>
 #include <output/run_record.h>
 
 #include <filesystem>
@@ -127,53 +128,9 @@ namespace MixedCracks
 
   template <int dim>
   std::string
-  Checkpoint<dim>::generation_directory(const int generation) const
+  Checkpoint<dim>::newest_directory() const
   {
-    return directory + "/generation-" + std::to_string(generation);
-  }
-
-
-
-  template <int dim>
-  std::string
-  Checkpoint<dim>::look_for_generations()
-  {
-    std::string problems;
-    if (Utilities::MPI::this_mpi_process(communicator) == 0)
-      for (const int generation : {0, 1})
-      {
-        const std::string path = generation_directory(generation);
-        const Seal        seal = read_seal(path);
-        if (seal.format == 0)
-          continue; // not there, or never finished
-        const std::string name =
-          "; generation-" + std::to_string(generation) + ": ";
-        try
-        {
-          has_other_format =
-            has_other_format || seal.format != checkpoint_format;
-          if (seal.format != checkpoint_format)
-            throw FileError("checkpoint format " + std::to_string(seal.format) +
-                            ", this program reads " +
-                            std::to_string(checkpoint_format));
-          std::istringstream run(read_sealed(path).run);
-          if (read_record(run).rows.back().step != seal.step)
-            throw FileError("it ends at another step than its seal");
-          if (newest < 0 || seal.number > number)
-            newest = generation;
-          number = std::max(number, seal.number);
-        }
-        catch (const std::exception &error)
-        {
-          problems += name + error.what();
-        }
-      }
-    newest = Utilities::MPI::broadcast(communicator, newest, 0);
-    number = Utilities::MPI::broadcast(communicator, number, 0);
-    has_other_format =
-      Utilities::MPI::broadcast(communicator, has_other_format, 0);
-    has_looked = true;
-    return Utilities::MPI::broadcast(communicator, problems, 0);
+    return generation_directory(directory, generations->newest);
   }
 
 
@@ -191,7 +148,9 @@ namespace MixedCracks
     if (Utilities::MPI::this_mpi_process(communicator) == 0)
       try
       {
-        fs::remove_all(path);
+        // the seal first: what is half removed is no damage
+        for (const std::string &name : files_of_generation())
+          fs::remove(path + '/' + name);
         fs::create_directories(path);
         message = missing_space_for(
           {{path + mesh_name,
@@ -215,10 +174,11 @@ namespace MixedCracks
                          const Fields<dim> &fields,
                          Triangulation     &triangulation)
   {
-    if (!has_looked)
-      look_for_generations();
-    const int         next = newest == 0 ? 1 : 0;
-    const std::string path = generation_directory(next);
+    if (!generations)
+      generations = look_for_generations(directory, communicator);
+    const int         next   = generations->newest == 0 ? 1 : 0;
+    const std::string path   = generation_directory(directory, next);
+    const auto        number = generations->number + 1;
     make_room(path, fields, triangulation);
 
     ContentsOnDisk written;
@@ -246,9 +206,8 @@ namespace MixedCracks
         written.files = files_of_libraries(path);
         std::ostringstream run;
         write_record(run, record);
-        write_seal(
-          path, written, run.str(), number + 1, record.rows.back().step);
-        if (read_seal(path).number != number + 1)
+        write_seal(path, written, run.str(), number, record.rows.back().step);
+        if (read_seal(path).number != number)
           throw FileError("its seal is not what was written");
       }
       catch (const std::exception &error)
@@ -256,8 +215,8 @@ namespace MixedCracks
         message = error.what();
       }
     require_on_all_ranks(message, communicator);
-    newest = next;
-    ++number;
+    generations->newest = next;
+    generations->number = number;
   }
 
 
@@ -266,17 +225,17 @@ namespace MixedCracks
   RunRecord
   Checkpoint<dim>::read()
   {
-    const std::string problems = look_for_generations();
+    generations = look_for_generations(directory, communicator);
     // one that another program wrote may be the newer one
-    if (has_other_format || newest < 0)
+    if (generations->has_other_format || generations->newest < 0)
       throw FileError(
         "--resume: there is no whole checkpoint in '" + directory + "'" +
-        problems +
+        faults_in_words(*generations) +
         ". Allowed: the output directory of a run that wrote one (Output/"
         "Checkpoint every).");
     std::string text;
     if (Utilities::MPI::this_mpi_process(communicator) == 0)
-      text = contents_of_file(generation_directory(newest) + "/record.txt");
+      text = contents_of_file(newest_directory() + "/record.txt");
     const SealedRecord sealed =
       split_record(Utilities::MPI::broadcast(communicator, text, 0));
     contents = sealed.contents;
@@ -293,10 +252,10 @@ namespace MixedCracks
     int failed = 0;
     try
     {
-      require_mesh_size<dim>(generation_directory(newest) + mesh_name,
+      require_mesh_size<dim>(newest_directory() + mesh_name,
                              contents.fields.cells,
                              triangulation.n_cells(0));
-      triangulation.load(generation_directory(newest) + mesh_name);
+      triangulation.load(newest_directory() + mesh_name);
     }
     catch (const std::exception &)
     {

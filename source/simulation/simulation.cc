@@ -74,7 +74,12 @@ namespace MixedCracks
   {
     if (existing == ExistingRun::resume)
     {
-      resumed = checkpoint.read();
+      resumed                    = checkpoint.read();
+      const std::string fallback = fallback_in_words(checkpoint.found());
+      if (has_damage(checkpoint.found()))
+        warnings.push_back(fallback); // logged with the others
+      else if (!fallback.empty())
+        log.line(fallback);
       require_same_case(resumed->signature, signature.problem);
     }
     inspect_output(existing);

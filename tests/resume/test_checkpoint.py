@@ -12,7 +12,7 @@ import shutil
 import sys
 import tempfile
 
-from runs import Runner, errors_in, generations, rows
+from runs import Runner, errors_in, generations, rows, summary
 
 SHORT = ["Load stepping/End time=4e-3", "Output/Checkpoint every=1"]
 
@@ -116,6 +116,31 @@ def refused(run, whole, spoil, sealed, says, ranks):
     shutil.rmtree(directory)
 
 
+def each_generation_has_its_reason(run, whole):
+    directory = whole.with_name("both")
+    shutil.copytree(whole, directory)
+    newest, older = generations(directory)
+    without("mesh.info")(newest)
+    (older / "seal.txt").write_text("nonsense")
+    out = run(directory, "--resume", settings=SHORT, status=4)
+    assert len(errors_in(out)) == 1, out
+    for words in ("%s: 'mesh.info' is missing" % newest.name,
+                  "%s: 'seal.txt' is not what" % older.name):
+        assert words in out, (words, out)
+
+
+def one_that_was_not_finished(run, whole):
+    """As a kill leaves it: this is no damage."""
+    directory = whole.with_name("unfinished")
+    shutil.copytree(whole, directory)
+    newest, older = generations(directory)
+    without("seal.txt")(newest)
+    out = run(directory, "--resume", settings=SHORT)
+    assert "%s of the checkpoint was not finished" % newest.name in out, out
+    assert "goes on from %s" % older.name in out, out
+    assert summary(directory)["warnings"] == summary(whole)["warnings"]
+
+
 def main():
     run = Runner(sys.argv[1], sys.argv[2:])
     with tempfile.TemporaryDirectory() as temporary:
@@ -144,10 +169,19 @@ def main():
                 print(spoil.__name__, is_sealed, flush=True)
                 refused(run, whole, spoil, is_sealed, says, 1 + number % 2)
 
-        # the one before serves where it is whole
+        each_generation_has_its_reason(run, whole)
+        one_that_was_not_finished(run, whole)
+        # the one before serves where it is whole, and the run says so
         cut(newest)
         out = run(whole, "--resume", settings=SHORT, ranks=2)
         assert "resumed at step %d" % (len(rows(whole)) - 2) in out, out
+        says = re.compile("%s of the checkpoint is damaged .*mesh_fixed.data.*"
+                          "goes on from %s" % (newest.name, older.name))
+        assert says.search(out), out
+        assert says.search((whole / "log.txt").read_text())
+        assert [text for text in summary(whole)["warnings"] if says.search(text)]
+        # the damaged one has been replaced
+        assert "checkpoint is damaged" not in run(whole, "--resume", settings=SHORT)
 
 
 if __name__ == "__main__":
