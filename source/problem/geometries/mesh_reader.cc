@@ -18,8 +18,13 @@ namespace MixedCracks
     read_file(const std::string &path, std::string &text)
     {
       std::error_code no_error;
-      if (std::filesystem::is_directory(path, no_error))
+      const auto      kind = std::filesystem::status(path, no_error);
+      if (std::filesystem::is_directory(kind))
         return "it is a directory";
+      // some never end, and none can be read again when the run is resumed
+      if (std::filesystem::exists(kind) &&
+          !std::filesystem::is_regular_file(kind))
+        return "it is a device or a pipe, allowed is a regular file";
       errno = 0;
       std::ifstream file(path, std::ios::binary);
       if (!file)
