@@ -18,9 +18,18 @@ class Force:
         if self.values is None or not np.isfinite(self.values).any():
             self.values = None
             return
-        self.peak = int(np.nanargmax(self.values))
+        self.peak = peak_index(self.values, results)
         self.separation = separation_index(self.values, self.peak, results)
         self.threshold = separation_threshold(results)
+
+
+def peak_index(values, results):
+    """The largest one; where dead loads have torn the body apart, the last is
+    a load that nothing carried."""
+    reason = str(results.summary.get("exit_reason", ""))
+    carried = values[:-1] if reason.startswith("no equilibrium") else values
+    known = carried if np.isfinite(carried).any() else values
+    return int(np.nanargmax(known))
 
 
 def largest_size(values):

@@ -137,6 +137,10 @@ namespace MixedCracks
   Simulation<dim>::end_in_words() const
   {
     const auto &rows = statistics.rows();
+    if (run_end == RunEnd::stopped && stop_poll.is_by_clock())
+      return printed("stopped before Output/Wall time limit, %.4g s, was over; "
+                     "continue with --resume",
+                     parameters.output.wall_time_limit);
     if (run_end != RunEnd::no_equilibrium || rows.size() < 2)
       return in_words(run_end);
     const StatisticsRow &last_whole = rows[rows.size() - 2];

@@ -208,6 +208,13 @@ class DeadLoads(unittest.TestCase):
         self.assertEqual([text for text in run.summary["warnings"]
                           if "damage fills" in text], [])
 
+    def test_the_peak_is_a_load_that_was_carried(self):
+        run = Run(SLIT_SQUARE, *DEAD_LOAD)
+        forces = [abs(float(row["force_y_N"])) for row in run.rows]
+        self.assertEqual(max(forces), forces[-1])
+        self.assertAlmostEqual(run.summary["peak_force_N"], forces[-2], delta=1e-6)
+        self.assertEqual(run.summary["step_at_peak"], len(forces) - 2)
+
     def test_parts_that_are_held_may_come_apart(self):
         run = Run(SLIT_SQUARE,
                   "Boundary conditions/Body force=y : -1e-3",

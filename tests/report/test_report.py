@@ -257,6 +257,18 @@ class Report(unittest.TestCase):
         self.assertIn("The coupling is time-lagged", text)
         self.assertNotIn("After separation", text)
 
+    def test_load_that_was_not_carried_is_no_peak(self):
+        synthetic_run.write_statistics(self.directory)
+        path = os.path.join(self.directory, "statistics.csv")
+        with open(path, encoding="utf-8") as stream:
+            lines = stream.read().splitlines()
+        last = lines[-2].split(",")
+        last[4] = "200"
+        synthetic_run.write(path, "\n".join(lines[:-1] + [",".join(last)]) + "\n")
+        synthetic_run.write_summary(self.directory, exit_reason="no equilibrium: the "
+                                    "body is apart", separated=True, force_fell=False)
+        self.assertIn("peak: 160 N at 20 mm", self.page())
+
     def test_warnings_of_the_summary(self):
         synthetic_run.write_statistics(self.directory)
         synthetic_run.write_summary(self.directory, warnings=["h is large"],

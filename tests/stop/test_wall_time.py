@@ -47,6 +47,9 @@ def it_does_not_loop(folder):
         # the start is a state, too
         common.run(how, directory, settings=limit(1e-6), status=5)
         assert len(common.rows(directory)) == 1
+        summary = json.loads((directory / "summary.json").read_text())
+        assert "Output/Wall time limit" in summary["exit_reason"], summary
+        assert "on request" not in summary["exit_reason"], summary
         output = common.run(how, directory, "--resume", settings=limit(1e-6),
                             status=3)
         assert "Output/Wall time limit" in output, output
