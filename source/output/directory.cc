@@ -75,15 +75,18 @@ namespace MixedCracks
     void
     require_writable(const fs::path &directory)
     {
-      const fs::path probe = directory / ".mixed-cracks-write-test";
+      const fs::path probe      = directory / ".mixed-cracks-write-test";
+      bool           is_written = false;
       {
         std::ofstream file(probe);
         file << "test\n" << std::flush;
-        if (!file)
-          throw FileError("Output/Directory: files cannot be written in '" +
-                          directory.string() + "'.");
+        is_written = static_cast<bool>(file);
       }
-      fs::remove(probe);
+      std::error_code error; // it may be there, and empty
+      fs::remove(probe, error);
+      if (!is_written)
+        throw FileError("Output/Directory: files cannot be written in '" +
+                        directory.string() + "'.");
     }
 
     void
