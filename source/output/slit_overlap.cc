@@ -146,7 +146,7 @@ namespace MixedCracks
     auto           vertices     = unpack<dim>(Utilities::MPI::all_gather(
       communicator, displacements_at_slits(elastic)));
     sort_by_place(vertices);
-    double largest_jump = 0.;
+    double largest_jump = 0., largest_displacement = 0.;
     for (std::size_t i = 1; i < vertices.size(); ++i)
     {
       const Vertex<dim> &first = vertices[i - 1], &second = vertices[i];
@@ -158,10 +158,14 @@ namespace MixedCracks
       const Tensor<1, dim> jump  = second.displacement - first.displacement;
       const double         depth = -(jump * faces[first.face].normal);
       largest_jump               = std::max(largest_jump, jump.norm());
+      largest_displacement =
+        std::max(largest_displacement, first.displacement.norm());
       if (depth > result.depth)
         result = {depth, first.position};
     }
-    if (!(result.depth > smallest_depth * largest_jump))
+    // where the body moves as a whole, the jump is a rounding error
+    if (!(result.depth > smallest_depth * largest_jump) ||
+        !(result.depth > rounding * largest_displacement))
       result = Place();
     return result;
   }
