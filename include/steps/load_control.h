@@ -34,6 +34,9 @@ namespace MixedCracks
     /// As they are given.
     GivenSteps given_steps() const;
 
+    /// A sentence where the run would make an absurd number of steps, or "".
+    std::string warning() const;
+
     /// As they hold; after check().
     LoadSteps
     steps() const

@@ -2,6 +2,7 @@
 #ifndef mixed_cracks_steps_load_steps_h
 #define mixed_cracks_steps_load_steps_h
 
+#include <algorithm>
 #include <string>
 #include <vector>
 
@@ -30,8 +31,9 @@ namespace MixedCracks
     std::vector<ScheduledStep> schedule;
   };
 
-  /// All that contradicts, one sentence each; empty when nothing does. What is
-  /// not given contradicts nothing.
+  /// All that contradicts, one sentence each; empty when nothing does: steps
+  /// that are longer than they may be, and those that are lost in rounding
+  /// against the time they act at. What is not given contradicts nothing.
   std::vector<std::string> contradictions(const GivenSteps &given);
 
   /// Load steps with what was not given derived from the rest: largest from
@@ -55,8 +57,12 @@ namespace MixedCracks
     double
     rounding() const
     {
-      return 1e-6 * smallest;
+      return std::max(1e-6 * smallest, rounding_of_time);
     }
+
+    /// How many steps the run makes at least; @p fixed: in a run of fixed
+    /// steps. Without those that crack growth or failures take.
+    double least_number(double end_time, bool fixed) const;
 
     /// One line: the four steps, and which of them are derived.
     std::string in_words() const;
@@ -71,7 +77,8 @@ namespace MixedCracks
     /// The entry of the schedule that holds at @p time; null before the first.
     const ScheduledStep *scheduled_at(double time) const;
 
-    std::vector<std::string> derived; // their names
+    std::vector<std::string> derived;          // their names
+    double                   rounding_of_time; // s, where it is largest
   };
 } // namespace MixedCracks
 

@@ -19,6 +19,7 @@
 // constant load in one step of the alternate minimisation (staggered).
 
 #include <base/errors.h>
+#include <base/log.h>
 #include <base/names.h>
 
 #include <deal.II/base/patterns.h>
@@ -43,6 +44,9 @@ namespace MixedCracks
     // Of the peak. Strips that are cut through by a band one row of nodes wide
     // carry more, and the band widens, see doc/model.md, section 3.
     constexpr double apart_fraction = 0.15;
+
+    // the longest runs known make some ten thousand
+    constexpr double absurd_number_of_steps = 1e6;
 
     void
     add_steps(dealii::ParameterHandler &prm, LoadParameters &load)
@@ -78,7 +82,8 @@ namespace MixedCracks
         "Largest steps over time, 'time : step, ...', as '0 : 1e-4, 0.005 : "
         "1e-5': from that time on, no step is longer. A step ends at each of "
         "the times. With Largest phase-field change = 0 these are the steps. "
-        "Empty: none. Unit: s.",
+        "Empty: none. No step may be shorter than 1e-12 of the time at which "
+        "it acts. Unit: s.",
         dealii::Patterns::Anything());
     }
   } // namespace
@@ -151,6 +156,22 @@ namespace MixedCracks
       throw InputError("Load stepping/Stop when force falls below: found " +
                        std::to_string(stop_fraction) +
                        ", allowed is a fraction below 1 (0: off).");
+  }
+
+
+
+  std::string
+  LoadParameters::warning() const
+  {
+    const double n =
+      steps().least_number(end_time, largest_phase_field_change == 0.);
+    if (!(n > absurd_number_of_steps))
+      return "";
+    return printed("at least %.3g load steps until the end time of %.6g s: "
+                   "Load stepping/Largest step, Step schedule or, with fixed "
+                   "steps, First step is far too short for it",
+                   n,
+                   end_time);
   }
 
 

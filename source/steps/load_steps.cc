@@ -27,6 +27,56 @@ namespace MixedCracks
   {
     const std::string subsection = "Load stepping/";
 
+    // Of the time at which a step acts. A time has 16 digits: a step of 1e-16
+    // of it is none, and the run would not end; one of 1e-12 is known to four
+    // digits.
+    constexpr double shortest_step  = 1e-12;
+    constexpr double digits_of_time = 1e-15;
+
+    // no step of this entry may be lost in rounding at @p time
+    void
+    require_seen(const std::string        &name,
+                 const double              step,
+                 const double              time,
+                 std::vector<std::string> &problems)
+    {
+      if (step > 0. && step < shortest_step * time)
+        problems.push_back(
+          subsection + name +
+          printed(": found %.6g s, which is lost in rounding at t = %.6g s. "
+                  "Allowed are steps from %.6g s.",
+                  step,
+                  time,
+                  shortest_step * time));
+    }
+
+    void
+    require_all_seen(const GivenSteps         &given,
+                     std::vector<std::string> &problems)
+    {
+      const auto require = [&](const std::string &name, const double step) {
+        require_seen(name, step, given.end_time, problems);
+      };
+      require("First step", given.first);
+      require("Largest step", given.largest);
+      require("Onset step", given.onset);
+      require("Smallest step", given.smallest);
+      for (std::size_t i = 0; i < given.schedule.size(); ++i)
+      {
+        // until the next one takes over
+        const double until =
+          i + 1 < given.schedule.size()
+            ? std::min(given.schedule[i + 1].time, given.end_time)
+            : given.end_time;
+        const ScheduledStep &entry = given.schedule[i];
+        if (entry.time < until)
+          require_seen(printed("Step schedule at %g s", entry.time),
+                       entry.step,
+                       until,
+                       problems);
+      }
+    }
+
     void
     require_order(const std::string        &smaller_name,
                   const double              smaller,
@@ -115,6 +165,7 @@ namespace MixedCracks
       if (entry.time == 0.)
         require("First step", given.first, name, entry.step);
     }
+    require_all_seen(given, problems);
     return problems;
   }
 
@@ -126,7 +177,9 @@ namespace MixedCracks
     , onset(given.onset)
     , smallest(given.smallest)
     , schedule(given.schedule)
+    , rounding_of_time(digits_of_time * given.end_time)
   {
+    const double shortest = shortest_step * given.end_time;
     if (largest == 0.)
     {
       const bool scheduled = !schedule.empty() && schedule.front().time == 0.;
@@ -146,13 +199,17 @@ namespace MixedCracks
     }
     if (onset == 0.)
     {
-      onset = std::max(std::min(0.1 * largest, shortest_scheduled(schedule)),
-                       smallest);
+      onset =
+        std::max(std::min(std::max(0.1 * largest, std::min(shortest, largest)),
+                          shortest_scheduled(schedule)),
+                 smallest);
       derived.push_back("onset");
     }
     if (smallest == 0.)
     {
-      smallest = std::min({0.01 * onset, first, shortest_scheduled(schedule)});
+      smallest = std::min({std::max(0.01 * onset, std::min(shortest, onset)),
+                           first,
+                           shortest_scheduled(schedule)});
       derived.push_back("smallest");
     }
   }
@@ -196,6 +253,21 @@ namespace MixedCracks
       if (entry.time > time + rounding())
         return entry.time;
     return std::numeric_limits<double>::infinity();
+  }
+
+
+
+  double
+  LoadSteps::least_number(const double end_time, const bool fixed) const
+  {
+    double number = 0.;
+    for (double time = 0.; time < end_time;)
+    {
+      const double next = std::min(next_scheduled_time(time), end_time);
+      number += (next - time) / (fixed ? fixed_at(time) : largest_at(time));
+      time = next;
+    }
+    return number;
   }
 
 

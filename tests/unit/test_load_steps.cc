@@ -6,6 +6,8 @@
 
 #include <gtest/gtest.h>
 
+#include <functional>
+
 using namespace MixedCracks;
 
 namespace
@@ -224,4 +226,70 @@ TEST(LoadSteps, AScheduleHoldsAfterAResume)
     whole.judge(true, 0.);
     resumed.judge(true, 0.);
   }
+}
+
+
+
+TEST(LoadSteps, ThatAreLostInRoundingAreRefused)
+{
+  const auto problem = [](const std::function<void(LoadParameters &)> &change) {
+    LoadParameters parameters;
+    parameters.end_time = 0.02;
+    change(parameters);
+    try
+    {
+      parameters.check();
+    }
+    catch (const InputError &error)
+    {
+      return std::string(error.what());
+    }
+    return std::string();
+  };
+  using P = LoadParameters;
+  for (double P::*const step :
+       {&P::first_step, &P::largest_step, &P::onset_step, &P::smallest_step})
+  {
+    EXPECT_NE(problem([&](P &p) { p.*step = 1e-20; }).find("lost in rounding"),
+              std::string::npos);
+    EXPECT_EQ(problem([&](P &p) { p.*step = 1e-12; }), "");
+  }
+  for (const char *const schedule : {"0:2e-3, 0.004:1e-20", "0:1e-300"})
+    EXPECT_NE(problem([&](P &p) {
+                p.step_schedule = schedule;
+              }).find("Step schedule at 0"),
+              std::string::npos);
+  // what acts early only, or never
+  EXPECT_EQ(problem([](P &p) { p.step_schedule = "0:1e-16, 1e-5:1e-3"; }), "");
+  EXPECT_EQ(problem([](P &p) { p.step_schedule = "0:1e-3, 1:1e-20"; }), "");
+}
+
+
+
+TEST(LoadSteps, DerivedOnesAreNotLostInRounding)
+{
+  GivenSteps values = nothing_given(1.);
+  values.largest    = 1e-11;
+  const LoadSteps steps(values);
+  EXPECT_GE(steps.smallest, 0.99e-12);
+  EXPECT_LE(steps.smallest, steps.onset);
+  EXPECT_LE(steps.onset, steps.largest);
+}
+
+
+
+TEST(LoadSteps, AnAbsurdNumberOfThemIsWarnedOf)
+{
+  LoadParameters parameters;
+  parameters.end_time = 0.02;
+  EXPECT_EQ(parameters.warning(), "");
+  parameters.step_schedule = "0:1e-3, 0.01:1e-9";
+  EXPECT_NE(parameters.warning().find("at least 1e+07 load steps"),
+            std::string::npos)
+    << parameters.warning();
+  parameters.step_schedule = "";
+  parameters.first_step    = 1e-10;
+  EXPECT_EQ(parameters.warning(), ""); // it grows
+  parameters.largest_phase_field_change = 0.;
+  EXPECT_NE(parameters.warning(), "");
 }
