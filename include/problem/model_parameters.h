@@ -31,7 +31,8 @@ namespace MixedCracks
     void add_parameters(dealii::ParameterHandler &prm);
 
     /// Throws InputError for values that cannot be combined in a @p dim
-    /// -dimensional problem.
+    /// -dimensional problem, and for expressions that cannot be read; whether
+    /// one in h has a value that is allowed shows when the mesh is there.
     void check(int dim = 2) const;
 
     bool

@@ -17,6 +17,9 @@ namespace MixedCracks
   {
     const double tiny = std::numeric_limits<double>::min();
 
+    const std::string length_scale_name       = "Model/Length scale";
+    const std::string residual_stiffness_name = "Model/Residual stiffness";
+
     // what the equations are
     void
     add_equations(dealii::ParameterHandler &prm, ModelParameters &model)
@@ -97,6 +100,14 @@ namespace MixedCracks
                         Patterns::Double(tiny));
     }
 
+    // Whether a value can only be known with the mesh. Throws InputError for
+    // what is no expression.
+    bool
+    depends_on_h(const std::string &text, const std::string &parameter)
+    {
+      return Expression(text, {"h"}, parameter).uses("h");
+    }
+
     double
     evaluate_in_h(const std::string &text,
                   const std::string &parameter,
@@ -116,8 +127,11 @@ namespace MixedCracks
       if (in_range)
         return;
       std::ostringstream message;
-      message << parameter << ": '" << text << "' is " << value
-              << " for h = " << h << " mm, allowed is " << allowed << ".";
+      message << parameter << ": '" << text << "' is " << value;
+      if (depends_on_h(text, parameter))
+        message << " for h = " << h << " mm, the edge of the finest cells of "
+                << "the first mesh";
+      message << "; allowed is " << allowed << ".";
       throw InputError(message.str());
     }
   } // namespace
@@ -146,9 +160,11 @@ namespace MixedCracks
       throw InputError("Model/Deviator dimension: found 3 with "
                        "Model/Kinematics = plane stress, whose law acts in the "
                        "plane. Allowed: auto, 2.");
-    // only that they can be evaluated; h is not known yet
-    evaluate_length_scale(1.);
-    evaluate_residual_stiffness(0.01);
+    // h is not known yet: the others are looked at when there is a mesh
+    if (!depends_on_h(length_scale, length_scale_name))
+      evaluate_length_scale(1.);
+    if (!depends_on_h(residual_stiffness, residual_stiffness_name))
+      evaluate_residual_stiffness(1.);
   }
 
 
@@ -197,10 +213,13 @@ namespace MixedCracks
   double
   ModelParameters::evaluate_length_scale(const double h) const
   {
-    const std::string parameter = "Model/Length scale";
-    const double      value     = evaluate_in_h(length_scale, parameter, h);
-    require_in_range(
-      value > 0., length_scale, parameter, value, h, "a positive number");
+    const double value = evaluate_in_h(length_scale, length_scale_name, h);
+    require_in_range(value > 0.,
+                     length_scale,
+                     length_scale_name,
+                     value,
+                     h,
+                     "a positive number");
     return value;
   }
 
@@ -209,11 +228,11 @@ namespace MixedCracks
   double
   ModelParameters::evaluate_residual_stiffness(const double h) const
   {
-    const std::string parameter = "Model/Residual stiffness";
-    const double      value = evaluate_in_h(residual_stiffness, parameter, h);
+    const double value =
+      evaluate_in_h(residual_stiffness, residual_stiffness_name, h);
     require_in_range(value >= 0. && value < 1.,
                      residual_stiffness,
-                     parameter,
+                     residual_stiffness_name,
                      value,
                      h,
                      "a number from 0, and below 1");
