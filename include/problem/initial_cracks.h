@@ -60,11 +60,26 @@ namespace MixedCracks
     /// for a negative half width; this may happen on one rank alone.
     double value(const dealii::Point<dim> &position, double h) const;
 
+    /// Segments and discs as the .prm has them: "Initial cracks/Cracks: found
+    /// '0,0 : 1,0'".
+    const std::vector<std::string> &
+    names() const
+    {
+      return crack_names;
+    }
+
+    /// Set @p breaks to 1 for those that break this node; one for each of
+    /// names(). Throws like value().
+    void note_broken(const dealii::Point<dim> &position,
+                     double                    h,
+                     std::vector<int>         &breaks) const;
+
   private:
     double width_for(double h) const;
 
     const std::vector<Segment<dim>>   segments;
     const std::vector<CrackDisc<dim>> discs;
+    std::vector<std::string>          crack_names; // segments, then discs
     const Expression                  half_width;
     std::shared_ptr<const Expression> phase_field; // or null
   };

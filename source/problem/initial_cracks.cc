@@ -96,7 +96,8 @@ namespace MixedCracks
   {
     const std::string broken =
       " The phase field is 0 at the start at the nodes within the half width "
-      "of them. On top of the notch. Unit: mm.";
+      "of them; one that breaks no node is refused. On top of the notch. "
+      "Unit: mm.";
     prm.enter_subsection("Initial cracks");
     prm.add_parameter(
       "Cracks",
@@ -211,7 +212,12 @@ namespace MixedCracks
         cracks.phase_field_text,
         std::vector<std::string>{"x", "y", "z", "h"},
         phase_field_parameter);
-    width_for(1.); // h is not known yet
+    if (!half_width.uses("h"))
+      width_for(1.); // else it shows on the mesh
+    for (const std::string &each : split_list(cracks.text, ';'))
+      crack_names.push_back(parameter + ": found " + in_quotes(each));
+    for (const std::string &each : split_list(cracks.discs_text, ';'))
+      crack_names.push_back(discs_parameter + ": found " + in_quotes(each));
   }
 
 
@@ -246,6 +252,24 @@ namespace MixedCracks
       return 1.;
     const double z = dim == 3 ? position[dim - 1] : 0.;
     return std::clamp((*phase_field)({position[0], position[1], z, h}), 0., 1.);
+  }
+
+
+
+  template <int dim>
+  void
+  InitialPhaseField<dim>::note_broken(const Point<dim> &position,
+                                      const double      h,
+                                      std::vector<int> &breaks) const
+  {
+    const double width = width_for(h);
+    for (std::size_t i = 0; i < segments.size(); ++i)
+      if (breaks[i] == 0 && is_broken(position, segments[i], width, h))
+        breaks[i] = 1;
+    for (std::size_t i = 0; i < discs.size(); ++i)
+      if (int &hit = breaks[segments.size() + i];
+          hit == 0 && is_broken(position, discs[i], width, h))
+        hit = 1;
   }
 
 

@@ -305,7 +305,7 @@ GEOMETRY = [
     entry("Initial cracks/Cracks", "0,5 : one,5", "one", "number"),
     entry("Initial cracks/Discs", "0,5 : 1,0 : 1", "center : radius"),
     entry("Initial cracks/Discs", "0,5 : 0", "'0'", "greater than 0"),
-    entry("Initial cracks/Half width", "-h", "'-h' = -1", "negative"),
+    entry("Initial cracks/Half width", "-h", "'-h' = -", "negative"),
     entry("Initial cracks/Half width", "2*x", "unknown name 'x'"),
     entry("Initial cracks/Phase field", "if(x<1, 0", "cannot understand"),
     entry("Initial cracks/Phase field", "1/(x-x)", FINITE, leaves=("results",)),

@@ -120,3 +120,35 @@ TEST(InitialCracks, RefuseWhatCannotBeRead)
   penny.discs_text = "0,0,0 : 0,0,0 : 1";
   expect_in(problem(penny), "normal '0,0,0'");
 }
+
+
+
+TEST(InitialCracks, AWidthInHIsLookedAtOnTheMesh)
+{
+  InitialCracks<2> cracks;
+  cracks.text            = "0,0 : 1,0";
+  cracks.half_width_text = "0.3-h"; // negative for h = 1
+  EXPECT_EQ(problem(cracks), "");
+  const InitialPhaseField<2> phi(cracks);
+  EXPECT_EQ(phi.value({0.5, 0.19}, h), 0.);
+  EXPECT_THROW(phi.value({0.5, 0.}, 0.5), InputError);
+  cracks.half_width_text = "-1";
+  expect_in(problem(cracks), "must not be negative");
+}
+
+
+
+TEST(InitialCracks, KnowWhichOfThemBreakANode)
+{
+  InitialCracks<2> cracks;
+  cracks.text       = "0,0 : 1,0 ; 5,5 : 6,6";
+  cracks.discs_text = "1,2 : 0.5 ; 0,3 : 0.1";
+  const InitialPhaseField<2> phi(cracks);
+  ASSERT_EQ(phi.names().size(), 4u);
+  expect_in(phi.names()[1], "Initial cracks/Cracks: found '5,5 : 6,6'");
+  expect_in(phi.names()[3], "Initial cracks/Discs: found '0,3 : 0.1'");
+  std::vector<int> breaks(4, 0);
+  phi.note_broken({0.5, 0.}, h, breaks);
+  phi.note_broken({1.2, 2.2}, h, breaks);
+  EXPECT_EQ(breaks, (std::vector<int>{1, 0, 1, 0}));
+}
