@@ -27,8 +27,20 @@ namespace MixedCracks
                                MPI_Comm communicator = MPI_COMM_WORLD);
 
   /// Throws InputError with the first difference when @p now is not the
-  /// problem that @p before is of.
-  void require_same_case(const std::string &before, const std::string &now);
+  /// problem that @p before is of. Values are compared by what they mean, and
+  /// geometries that are not chosen are left out. @p failure: the message of
+  /// the expression that has ended the run, if one has: the expressions of its
+  /// entry may then change. Returns such a change in words, or "".
+  std::string require_same_case(const std::string &before,
+                                const std::string &now,
+                                const std::string &failure = "");
+
+  /// Whether a step would be tried again with what it was tried with.
+  bool is_same_attempt(const std::string &before, const std::string &now);
+
+  /// Whether a resumed run may have other expressions in the entry that this
+  /// message of an error is about.
+  bool can_be_mended(const std::string &failure);
 
   /// Whether an entry, or all of a subsection, may change when a run is
   /// resumed.
@@ -37,7 +49,8 @@ namespace MixedCracks
     enum Change
     {
       no,
-      if_empty, ///< from nothing to something
+      if_empty,  ///< from nothing to something
+      if_failed, ///< its expressions, when one of them has ended the run
       yes
     };
 

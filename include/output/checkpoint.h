@@ -43,7 +43,9 @@ namespace MixedCracks
     unsigned int n_overlapping_steps = 0;
     double       deepest_overlap     = 0.; ///< mm
     std::string  overlap_in_words;
-    RunTotals    totals; ///< so far
+    /// warnings of loads that were mended on the way, when the run was resumed
+    std::vector<std::string> changed_loads;
+    RunTotals                totals; ///< so far
 
     /// where damage was seen first, mm
     std::vector<dealii::Point<2>>               nuclei;

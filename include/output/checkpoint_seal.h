@@ -12,7 +12,7 @@ namespace MixedCracks
 {
   /// The format of a checkpoint; to be raised whenever what is in its files
   /// changes. Others are refused by number. (1 had no number.)
-  constexpr unsigned int checkpoint_format = 2;
+  constexpr unsigned int checkpoint_format = 3;
 
   /// A file of a checkpoint as it was written.
   struct FileOnDisk

@@ -16,10 +16,12 @@ namespace MixedCracks
     end_time,   ///< Load stepping/End time is reached
     /// only residual stiffness carries the dead loads
     no_equilibrium,
-    onset,      ///< Load stepping/Stop at onset: a crack begins to run
-    failed,     ///< no way on, exit status 3
-    stopped,    ///< by a signal or the clock, exit status 5
-    out_of_time ///< no step fits into Output/Wall time limit, exit status 3
+    onset,       ///< Load stepping/Stop at onset: a crack begins to run
+    failed,      ///< no way on, exit status 3
+    stopped,     ///< by a signal or the clock, exit status 5
+    out_of_time, ///< no step fits into Output/Wall time limit, exit status 3
+    /// an expression has no value that is allowed, at a later time; status 2
+    refused
   };
 
   /// The exit status that belongs to it, as in doc/output.md.

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include <base/errors.h>
 #include <base/names.h>
+#include <base/text.h>
 #include <base/version.h>
 
+#include <input/canonical_text.h>
 #include <input/case_signature.h>
 #include <input/parameter_tree.h>
 
@@ -94,18 +96,112 @@ namespace MixedCracks
 
 
 
-    std::map<std::string, std::string>
+    using Values = std::map<std::string, std::string>;
+
+    std::string
+    value_of(const Values &values, const std::string &name)
+    {
+      const auto entry = values.find(name);
+      return entry == values.end() ? "" : entry->second;
+    }
+
+
+
+    // of a geometry that is not chosen, or the contents of its file
+    bool
+    is_unused(const std::string &name, const std::string &geometry)
+    {
+      const auto begin = name.find("Geometry/");
+      if (begin == std::string::npos || geometry.empty() ||
+          (begin > 0 && name.compare(0, begin, "contents of ") != 0))
+        return false;
+      const std::vector<std::string> path = split_list(name.substr(begin), '/');
+      // subsections begin with a capital letter, names do not
+      return path.size() > 2 && path[1].substr(1) != geometry.substr(1);
+    }
+
+
+
+    // the default of an empty Load stepping/Force boundary
+    std::string
+    first_moved_boundary(const std::string &displacement)
+    {
+      for (const std::string &item : split_list(displacement, ';'))
+      {
+        const std::vector<std::string> parts = split_list(item, ':');
+        if (parts.size() == 3 && parts[1] != "phase field")
+          return parts[0];
+      }
+      return "";
+    }
+
+
+
+    // Those that the problem depends on, with defaults that follow from others
+    // written out. Of checkpoints of older versions, too.
+    Values
     values_of(const std::string &signature)
     {
-      std::map<std::string, std::string> values;
-      std::istringstream                 lines(signature);
+      Values             values;
+      std::istringstream lines(signature);
       for (std::string line; std::getline(lines, line);)
       {
         const auto sign = line.find(" = ");
         if (sign != std::string::npos)
           values[line.substr(0, sign)] = line.substr(sign + 3);
       }
+      const std::string geometry = value_of(values, "Geometry/Name");
+      for (auto entry = values.begin(); entry != values.end();)
+        entry = is_unused(entry->first, geometry) ? values.erase(entry)
+                                                  : std::next(entry);
+      const auto force = values.find("Load stepping/Force boundary");
+      if (force != values.end() && canonical_text(force->second).empty())
+        force->second = first_moved_boundary(
+          value_of(values, "Boundary conditions/Displacement"));
       return values;
+    }
+
+
+
+    // "Fluid/Pressure: the expression ..." is about Fluid/Pressure
+    bool
+    is_about(const std::string &message, const std::string &name)
+    {
+      return message.compare(0, name.size() + 2, name + ": ") == 0;
+    }
+
+
+
+    // 'boundary : component : expression ; ...', 'component : expression ; ...'
+    // or an expression
+    std::string
+    without_expressions(const std::string &value)
+    {
+      std::string result;
+      for (const std::string &item : split_list(value, ';'))
+      {
+        const auto colon = item.rfind(':');
+        result +=
+          (colon == std::string::npos ? "" : item.substr(0, colon)) + ';';
+      }
+      return canonical_text(result);
+    }
+
+
+
+    bool
+    may_be_changed(const std::string &name,
+                   const std::string &before,
+                   const std::string &now,
+                   const std::string &failure)
+    {
+      const ResumeRule *const rule = resume_rule(name);
+      if (rule == nullptr)
+        return false;
+      if (rule->change == ResumeRule::if_empty)
+        return before.empty();
+      return rule->change == ResumeRule::if_failed && is_about(failure, name) &&
+             without_expressions(before) == without_expressions(now);
     }
 
 
@@ -163,7 +259,11 @@ namespace MixedCracks
       {"Model/Largest number of coupling iterations", Rule::yes},
       {"Material", Rule::no},
       {"Boundary conditions", Rule::no},
-      {"Fluid", Rule::no},
+      {"Boundary conditions/Displacement", Rule::if_failed},
+      {"Boundary conditions/Displacement at points", Rule::if_failed},
+      {"Boundary conditions/Traction", Rule::if_failed},
+      {"Boundary conditions/Body force", Rule::if_failed},
+      {"Fluid", Rule::if_failed},
       {"Initial cracks", Rule::no},
       {"Load stepping", Rule::yes},
       {"Load stepping/Force boundary", Rule::no}, // the columns of the force
@@ -218,24 +318,49 @@ namespace MixedCracks
 
 
 
-  void
-  require_same_case(const std::string &before, const std::string &now)
+  std::string
+  require_same_case(const std::string &before,
+                    const std::string &now,
+                    const std::string &failure)
   {
-    const std::map<std::string, std::string> old_values = values_of(before);
-    const std::map<std::string, std::string> new_values = values_of(now);
+    const Values old_values = values_of(before);
+    const Values new_values = values_of(now);
+    std::string  mended;
     for (const auto &[name, value] : new_values)
     {
       const auto old = old_values.find(name);
       if (old == old_values.end())
         refuse(name, "nothing", value);
-      const ResumeRule *rule         = resume_rule(name);
-      const bool        may_be_added = old->second.empty() && rule != nullptr &&
-                                rule->change == ResumeRule::if_empty;
-      if (old->second != value && !may_be_added)
+      if (canonical_text(old->second) == canonical_text(value))
+        continue;
+      if (!may_be_changed(name, old->second, value, failure))
         refuse(name, old->second, value);
+      if (is_about(failure, name))
+        mended = name + " = '" + old->second + "' until then, '" + value +
+                 "' from there on";
     }
     for (const auto &[name, value] : old_values)
       if (new_values.count(name) == 0)
         refuse(name, value, "nothing");
+    return mended;
+  }
+
+
+
+  bool
+  is_same_attempt(const std::string &before, const std::string &now)
+  {
+    return canonical_text(before) == canonical_text(now);
+  }
+
+
+
+  bool
+  can_be_mended(const std::string &failure)
+  {
+    const auto        end  = failure.find(": ");
+    const ResumeRule *rule = resume_rule(failure.substr(0, end));
+    return end != std::string::npos && rule != nullptr &&
+           rule->change == ResumeRule::if_failed;
   }
 } // namespace MixedCracks

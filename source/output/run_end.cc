@@ -13,6 +13,8 @@ namespace MixedCracks
         return 3;
       case RunEnd::stopped:
         return 5;
+      case RunEnd::refused:
+        return 2;
       default:
         return 0;
     }
@@ -46,6 +48,8 @@ namespace MixedCracks
       case RunEnd::out_of_time:
         return "Output/Wall time limit was over before a load step was "
                "finished; continue with --resume and a larger one";
+      case RunEnd::refused:
+        return "an expression of the input had no value that is allowed";
     }
     return "";
   }

@@ -98,6 +98,7 @@ namespace MixedCracks
            n_overlapping_steps,
            deepest_overlap,
            overlap_in_words,
+           changed_loads,
            totals,
            nuclei,
            rows,
@@ -119,6 +120,7 @@ namespace MixedCracks
                     n_overlapping_steps,
                     deepest_overlap,
                     overlap_in_words,
+                    changed_loads,
                     totals,
                     nuclei,
                     rows,
@@ -154,7 +156,7 @@ namespace MixedCracks
               "its times, steps or forces are none");
       require(record.peak_step < record.rows.size(),
               "its peak is at a step that is missing");
-      require(record.end >= RunEnd::none && record.end <= RunEnd::out_of_time,
+      require(record.end >= RunEnd::none && record.end <= RunEnd::refused,
               "it ends for a reason that is none");
     }
   } // namespace

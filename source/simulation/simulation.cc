@@ -80,7 +80,7 @@ namespace MixedCracks
         warnings.push_back(fallback); // logged with the others
       else if (!fallback.empty())
         log.line(fallback);
-      require_same_case(resumed->signature, signature.problem);
+      mend_resumed_case();
     }
     inspect_output(existing);
     preflight();

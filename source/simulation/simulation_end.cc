@@ -11,9 +11,9 @@ namespace MixedCracks
   RunEnd
   Simulation<dim>::end_of_resumed_run(const State &state)
   {
-    const double force_now  = statistics.rows().back().force_size();
-    const bool   is_again   = resumed->attempt == signature.attempt;
-    const auto   has_joined = [&]() {
+    const double force_now = statistics.rows().back().force_size();
+    const bool is_again = is_same_attempt(resumed->attempt, signature.attempt);
+    const auto has_joined = [&]() {
       return resumed->end == RunEnd::separated ||
              crack_observer.trace(state.phase_field).separate_body;
     };
@@ -62,7 +62,9 @@ namespace MixedCracks
     }
     catch (const InputError &what)
     {
-      error = {2, what.what()};
+      error      = {2, what.what()};
+      run_end    = RunEnd::refused;
+      why_failed = what.what();
     }
     catch (const SolverError &what)
     {
@@ -78,7 +80,13 @@ namespace MixedCracks
       log.line(problem.what());
     }
     if (error.exit_status == 2)
-      throw InputError(error.reason);
+      throw InputError(
+        error.reason +
+        (can_be_mended(error.reason)
+           ? printed(" The last accepted state, t = %.6g s, is kept: --resume "
+                     "goes on from it with another expression in this entry.",
+                     accepted.time)
+           : std::string()));
     throw SolverError(error.reason);
   }
 

@@ -7,6 +7,23 @@ namespace MixedCracks
 
   template <int dim>
   void
+  Simulation<dim>::mend_resumed_case()
+  {
+    const std::string mended = require_same_case(
+      resumed->signature,
+      signature.problem,
+      resumed->end == RunEnd::refused ? resumed->why_failed : "");
+    if (!mended.empty())
+      resumed->changed_loads.push_back(
+        printed("the loads before t = %.6g s are those of another expression: ",
+                resumed->time) +
+        mended);
+  }
+
+
+
+  template <int dim>
+  void
   Simulation<dim>::write_checkpoint(const State &state, const RunTotals &cost)
   {
     TimerOutput::Scope scope(timer, "output");
@@ -28,9 +45,11 @@ namespace MixedCracks
     record.n_overlapping_steps = n_overlapping_steps;
     record.deepest_overlap     = deepest_overlap;
     record.overlap_in_words    = overlap_in_words;
-    record.totals              = cost;
-    record.nuclei              = crack_observer.origins().nuclei();
-    record.rows                = statistics.rows();
+    if (resumed)
+      record.changed_loads = resumed->changed_loads;
+    record.totals = cost;
+    record.nuclei = crack_observer.origins().nuclei();
+    record.rows   = statistics.rows();
     // the state of the peak is not kept: what shall be seen of it is written
     if (!field_output.has(peak_step))
       write_fields(peak_state, peak_step);
@@ -83,6 +102,7 @@ namespace MixedCracks
 
 
 #define INSTANTIATE(dim)                                               \
+  template void  Simulation<dim>::mend_resumed_case();                 \
   template void  Simulation<dim>::write_checkpoint(const State &,      \
                                                   const RunTotals &); \
   template State Simulation<dim>::resumed_state();

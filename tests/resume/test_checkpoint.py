@@ -91,8 +91,8 @@ def other_format(number):
     def change(folder):
         seal = folder / "seal.txt"
         text = seal.read_text()
-        assert "format 2" in text, text
-        seal.write_text(text.replace("format 2", "format %d" % number))
+        assert "format 3" in text, text
+        seal.write_text(text.replace("format 3", "format %d" % number))
     change.__name__ = "format %d" % number
     return change
 

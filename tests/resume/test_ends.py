@@ -118,6 +118,39 @@ def an_expression_that_fails_later(run, folder):
     assert "resumed at step 3" in out, out
 
 
+def an_expression_is_mended(run, folder):
+    """The expression that has ended a run may be another one from there on."""
+    directory = folder / "mended"
+    load = ("Boundary conditions/Displacement=bottom : all : 0 ; top : x : 0 ; "
+            "top : y : %s")
+    out = run(directory, settings=[load % "if(t < 3.5e-3, t, 1/(t-t))"], status=2)
+    assert "--resume" in out, out
+    # another support is another case
+    out = run(directory, "--resume", status=2,
+              settings=[(load % "t").replace("top : x", "bottom : x")])
+    assert "the case has changed" in out, out
+    end = "Load stepping/End time=5e-3"
+    out = run(directory, "--resume", settings=[load % "t", end])
+    says = "the loads before t = 0.003 s are those of another expression"
+    assert "warning: " + says in out, out
+    assert float(rows(directory)[-1]["time_s"]) == 5e-3, rows(directory)
+    # and is not forgotten
+    run(directory, "--resume", ranks=2,
+        settings=[load % "1.0 * t", "Load stepping/End time=6e-3"], status=2)
+    run(directory, "--resume", ranks=2,
+        settings=[load % " t", "Load stepping/End time=6e-3"])
+    warnings = summary(directory)["warnings"]
+    assert sum(says in each for each in warnings) == 1, warnings
+
+
+def another_spelling(run, folder):
+    directory = folder / "spelling"
+    run(directory, settings=["Load stepping/End time=1e-3"])
+    run(directory, "--resume", settings=[
+        "Load stepping/End time=2e-3",
+        "Geometry/Slit square/Cell size=0.1250", "Geometry/Box/Cell size=0.3"])
+
+
 def what_was_not_computed(run, folder):
     directory = folder / "columns"
     run(directory, settings=["Load stepping/End time=2e-3"])
@@ -147,7 +180,8 @@ def main():
     run = Runner(sys.argv[1], sys.argv[2:])
     with tempfile.TemporaryDirectory() as temporary:
         for test in (a_force_that_fell, an_end_time, an_onset, a_failure,
-                     an_expression_that_fails_later, what_was_not_computed,
+                     an_expression_that_fails_later, an_expression_is_mended,
+                     another_spelling, what_was_not_computed,
                      another_problem):
             print(test.__name__, flush=True)
             test(run, pathlib.Path(temporary))

@@ -2,6 +2,7 @@
 // What may change when a run is resumed, and what may not.
 #include <base/errors.h>
 
+#include <input/canonical_text.h>
 #include <input/case_signature.h>
 #include <input/parameter_tree.h>
 
@@ -9,6 +10,7 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <fstream>
 
 using namespace MixedCracks;
@@ -170,4 +172,96 @@ TEST(CaseSignature, AFileCountsByWhatItHoldsNotByItsName)
   if (rank == 0)
     for (const std::string &name : {one, other})
       std::remove(name.c_str());
+}
+
+
+
+TEST(CaseSignature, CanonicalTextsAreOfTheSameMeaning)
+{
+  for (const auto &[one, other] : std::vector<std::array<std::string, 2>>{
+         {"0.1", "0.10"},
+         {"1e-3", ".001"},
+         {"2*h", " 2 * h"},
+         {"top : y : t ;", "top:y:t"},
+         {"if(t < 1e-05, t, 0)", "if(t<0.00001,t,0)"}})
+    EXPECT_EQ(canonical_text(one), canonical_text(other));
+  for (const auto &[one, other] :
+       std::vector<std::array<std::string, 2>>{{"0.1", "0.11"},
+                                               {"side_01", "side_1"},
+                                               {"01", "1"},
+                                               {"a b", "ab"},
+                                               {"1-t", "1+t"},
+                                               {"1, 2", "12"}})
+    EXPECT_NE(canonical_text(one), canonical_text(other));
+}
+
+
+
+TEST(CaseSignature, AnotherSpellingIsNoOtherCase)
+{
+  Case example;
+  example.set("Model", "Length scale", "2*h");
+  example.set("Boundary conditions",
+              "Displacement",
+              "top : phase field : 1 ; top : y : 0.1*t ; bottom : all : 0");
+  const CaseSignature before = example.signature();
+  example.set("Model", "Length scale", "2.0 * h");
+  example.set("Boundary conditions",
+              "Displacement",
+              "top : phase field : 1 ; top:y:0.10*t; bottom : all : 0 ;");
+  example.set("Load stepping", "Force boundary", "top"); // its default
+  example.set("Linear solver", "Newton tolerance", "1.0e-8");
+  const CaseSignature now = example.signature();
+  EXPECT_EQ(refusal(before, now), "");
+  EXPECT_TRUE(is_same_attempt(before.attempt, now.attempt));
+  example.set("Load stepping", "Force boundary", "bottom");
+  EXPECT_NE(refusal(before, example.signature()), "");
+}
+
+
+
+TEST(CaseSignature, GeometriesThatAreNotChosenDoNotMatter)
+{
+  const auto with_size = [](const std::string &geometry) {
+    Case example;
+    example.set("Geometry", "Name", "slit square");
+    example.prm.enter_subsection("Geometry");
+    example.set(geometry, "Cell size", "0.0625");
+    example.prm.leave_subsection();
+    return example.signature();
+  };
+  EXPECT_EQ(refusal(with_size("Rectangle"), with_size("Box")), "");
+  EXPECT_NE(refusal(with_size("Slit square"), with_size("Box")), "");
+}
+
+
+
+TEST(CaseSignature, AnExpressionThatHasFailedMayBeAnother)
+{
+  const auto with = [](const std::string &displacement,
+                       const std::string &traction) {
+    Case example;
+    example.set("Boundary conditions", "Displacement", displacement);
+    example.set("Boundary conditions", "Traction", traction);
+    return example.signature().problem;
+  };
+  const std::string failure =
+    "Boundary conditions/Displacement: the expression '1/(1-t)' gives infinity";
+  EXPECT_TRUE(can_be_mended(failure));
+  EXPECT_FALSE(can_be_mended("Material/Shear modulus: the expression"));
+  EXPECT_FALSE(can_be_mended("no entry at all"));
+  const std::string before = with("top : y : 1/(1-t)", "left : x : t");
+  const std::string mended = with("top : y : t", "left : x : t");
+  EXPECT_THROW(require_same_case(before, mended), InputError);
+  const std::string words = require_same_case(before, mended, failure);
+  EXPECT_NE(words.find("'top : y : 1/(1-t)' until then, 'top : y : t'"),
+            std::string::npos)
+    << words;
+  EXPECT_EQ(require_same_case(before, before, failure), "");
+  // the same boundaries and components, and no other entry
+  for (const std::string &other :
+       {with("top : x : t", "left : x : t"),
+        with("top : y : t ; bottom : y : t", "left : x : t"),
+        with("top : y : t", "left : x : 2*t")})
+    EXPECT_THROW(require_same_case(before, other, failure), InputError);
 }

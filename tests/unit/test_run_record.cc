@@ -36,6 +36,7 @@ namespace
     record.n_overlapping_steps = 35;
     record.deepest_overlap     = 36.;
     record.overlap_in_words    = "at (1, 2), \"deep\"";
+    record.changed_loads       = {"one", "and \"another\""};
     record.totals              = {6, 7, 8, 9.5, {{"output", 0.5}, {"a b", 1.}}};
     record.nuclei              = {{0.25, 0.75}, {1., 1e300}};
     record.rows.resize(2);
@@ -100,6 +101,7 @@ TEST(RunRecord, ComesBackAsItWasWritten)
   EXPECT_EQ(record.n_overlapping_steps, 35u);
   EXPECT_EQ(record.deepest_overlap, 36.);
   EXPECT_EQ(record.overlap_in_words, example().overlap_in_words);
+  EXPECT_EQ(record.changed_loads, example().changed_loads);
   EXPECT_EQ(record.tables, example().tables);
   EXPECT_EQ(text_of(record), text_of(example()));
 }
@@ -135,7 +137,7 @@ TEST(RunRecord, EveryEndOfARunComesBack)
     record.end = static_cast<RunEnd>(n);
     EXPECT_EQ(record_of(text_of(record)).end, record.end) << n;
   }
-  EXPECT_EQ(n - 1, static_cast<int>(RunEnd::out_of_time));
+  EXPECT_EQ(n - 1, static_cast<int>(RunEnd::refused));
 }
 
 
