@@ -23,6 +23,10 @@ namespace MixedCracks
   /// in place of one that is not finite.
   std::locale csv_locale();
 
+  /// The value, or where it has overflown the largest number there is: for
+  /// sentences, in which "inf" and "nan" say nothing. What is no number is 0.
+  double printable(double value);
+
   /// A JSON number; null where it is not finite, which JSON cannot say.
   std::string json_number(double value, int digits = 10);
 

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include <base/finite_text.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <iterator>
+#include <limits>
 
 namespace MixedCracks
 {
@@ -109,6 +111,15 @@ namespace MixedCracks
   csv_locale()
   {
     return std::locale(std::locale::classic(), new FiniteNumbers);
+  }
+
+
+
+  double
+  printable(const double value)
+  {
+    const double largest = std::numeric_limits<double>::max();
+    return std::isnan(value) ? 0. : std::clamp(value, -largest, largest);
   }
 
 

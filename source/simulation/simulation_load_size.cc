@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include <base/errors.h>
+#include <base/finite_text.h>
 #include <base/log.h>
 
 #include <simulation/simulation_load_size.h>
@@ -118,7 +119,7 @@ namespace MixedCracks
       if (size > 0.)
         text += (text.empty() ? "" : ", ") + what;
     };
-    add(load.strain, printed("strains of about %.2g", load.strain));
+    add(load.strain, printed("strains of about %.2g", printable(load.strain)));
     add(load.traction, printed("tractions of %.3g MPa", load.traction));
     add(load.fluid, printed("a fluid pressure of %.3g MPa", load.fluid));
     return text;

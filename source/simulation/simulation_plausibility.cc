@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
+#include <base/finite_text.h>
 #include <base/log.h>
 
 #include <model/strength.h>
@@ -40,9 +41,10 @@ namespace MixedCracks
     std::string
     in_words(const Range &range)
     {
-      return !range.varies()
-               ? printed("%.3g", range.smallest)
-               : printed("%.3g to %.3g", range.smallest, range.largest);
+      const double smallest = printable(range.smallest);
+      const double largest  = printable(range.largest);
+      return !range.varies() ? printed("%.3g", smallest)
+                             : printed("%.3g to %.3g", smallest, largest);
     }
 
     // without a fluid, which acts in cracks only
@@ -73,16 +75,17 @@ namespace MixedCracks
     const Strength relative =
       relative_strength(*all_crack_densities().make(crack_density));
     const auto modulus = [](const double lambda, const double mu) {
-      return mu * (3. * lambda + 2. * mu) / (lambda + mu);
+      // the larger numbers last, whose product may overflow
+      return mu / (lambda + mu) * (3. * lambda + 2. * mu);
     };
     const Range  E{modulus(material.lambda.smallest, material.mu.smallest),
                   modulus(material.lambda.largest, material.mu.largest)};
     const Range &G_c    = material.toughness;
     const auto   stress = [&](const double E, const double G_c) {
-      return relative.stress * std::sqrt(E * G_c / length_scale);
+      return relative.stress * std::sqrt(E) * std::sqrt(G_c / length_scale);
     };
     const auto strain = [&](const double E, const double G_c) {
-      return relative.strain * std::sqrt(G_c / (E * length_scale));
+      return relative.strain * std::sqrt(G_c / length_scale) / std::sqrt(E);
     };
     return {crack_density,
             relative.stress,
@@ -157,7 +160,7 @@ namespace MixedCracks
         warnings.push_back(
           printed("l/h = %.4g: 4 to 10 cells resolve a crack; is Model/Length "
                   "scale = %.4g mm meant?",
-                  resolution,
+                  printable(resolution),
                   scales.length_scale));
     }
 
@@ -178,7 +181,7 @@ namespace MixedCracks
         (at_once ? printed(" after one onset step of %.4g s", scales.onset_step)
                  : std::string(" until the end time")) +
         printed(" are %.3g times what the material bears (",
-                at_once ? first : most) +
+                printable(at_once ? first : most)) +
         in_words(scales.strength) +
         "): the body breaks as a whole; check Critical energy release rate, "
         "moduli, Length scale and units (N/mm, MPa, mm)");
@@ -209,7 +212,8 @@ namespace MixedCracks
     const double fluid = scales.largest.fluid / strength.stress.largest;
     if (fluid > largest_fluid_pressure)
       warnings.push_back(
-        printed("Fluid/Pressure reaches %.3g times the strength (", fluid) +
+        printed("Fluid/Pressure reaches %.3g times the strength (",
+                printable(fluid)) +
         in_words(strength) +
         "): material breaks all around a crack that it acts in");
     return warnings;

@@ -9,6 +9,9 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <limits>
+
 using namespace MixedCracks;
 
 namespace
@@ -164,4 +167,26 @@ TEST(Plausibility, DamageOfTheWholeBodyIsThatOfTheFirstStepWithIt)
   EXPECT_NE(damage_in_words({0.1, 0.12, 0.97, 0.98}, 1.)
               .find("97 % of the body after step 2, 12 % before"),
             std::string::npos);
+}
+
+
+
+TEST(Plausibility, NoSentenceNamesANumberThatHasOverflown)
+{
+  MaterialRange stiff{};
+  stiff.lambda                       = {1e300, 1e300};
+  stiff.mu                           = {1e300, 1e300};
+  stiff.toughness                    = {1e300, 1e300};
+  CaseScales scales                  = sound_case();
+  scales.strength                    = implied_strength("Wu", stiff, 1e-300);
+  scales.length_scale                = 1e300;
+  scales.cell_size                   = 1e-300;
+  scales.largest.strain              = std::numeric_limits<double>::infinity();
+  std::vector<std::string> sentences = warnings_about(scales);
+  sentences.push_back(in_words(scales.strength));
+  scales.strength = implied_strength("Wu", stiff, 1.);
+  EXPECT_TRUE(std::isfinite(scales.strength.stress.largest));
+  sentences.push_back(in_words(scales.strength));
+  for (const char *const nonsense : {"inf", "nan"})
+    EXPECT_FALSE(says(sentences, nonsense)) << nonsense;
 }
