@@ -5,6 +5,7 @@
 #include <output/statistics.h>
 
 #include <cmath>
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -30,10 +31,35 @@ namespace MixedCracks
   StepImbalance imbalance(const StatisticsRow &before,
                           const StatisticsRow &after);
 
-  /// One sentence on all steps that exceed @p tolerance, also those before the
-  /// run was resumed; "" if there are none, or if the tolerance is 0.
+  /// Which imbalances are worth a word.
+  struct ImbalanceRule
+  {
+    double tolerance; ///< relative; 0: none are
+    /// a step that sets energy free, and in which the phase field changes by
+    /// more than this, is one in which a crack ran
+    double change_where_a_crack_ran = std::numeric_limits<double>::infinity();
+    /// where there is less energy in all than this, it is rounding; mJ
+    double least_energy = 0.;
+
+    bool
+    is_broken_by(const StepImbalance &step) const
+    {
+      return tolerance > 0. && step.scale > least_energy &&
+             step.exceeds(tolerance);
+    }
+  };
+
+  /// One sentence on all steps that break the rule, also those before the run
+  /// was resumed; "" if there are none. Steps in which a crack ran are left
+  /// out: a quasi-static model has nowhere to put their energy, and it is no
+  /// fault of the calculation.
   std::string imbalance_in_words(const std::vector<StatisticsRow> &rows,
-                                 double                            tolerance);
+                                 const ImbalanceRule              &rule);
+
+  /// Whether such a step is one in which a crack ran.
+  bool is_set_free(const StepImbalance &step,
+                   const StatisticsRow &row,
+                   const ImbalanceRule &rule);
 } // namespace MixedCracks
 
 #endif

@@ -58,6 +58,11 @@ namespace MixedCracks
       return dim == 2 ? material.thickness : 1.;
     }
 
+    /// The change of the phase field above which a step lets a crack run, with
+    /// energy to spare; infinity for couplings that lag, which a crack cannot
+    /// outrun.
+    double change_where_a_crack_ran() const;
+
     /// The boundary whose reaction is reported; empty when displacement is
     /// prescribed at points only, whose reaction it is then.
     std::string force_boundary() const;

@@ -15,6 +15,7 @@
 #include <output/crack_opening_file.h>
 #include <output/crack_path_writer.h>
 #include <output/directory.h>
+#include <output/energy_balance.h>
 #include <output/field_output.h>
 #include <output/point_displacements.h>
 #include <output/quantities.h>
@@ -120,6 +121,10 @@ namespace MixedCracks
 
     State resumed_state();
 
+    /// Throws InputError unless the run that is resumed is of the same case. An
+    /// expression that has ended it may be another one: that is noted.
+    void mend_resumed_case();
+
     /// Whether a run that is resumed has no way on with the parameters of
     /// now, and why.
     RunEnd end_of_resumed_run(const State &state);
@@ -212,6 +217,8 @@ namespace MixedCracks
     void log_end(const RunOutcome &outcome, const Summary &summary);
 
     void log_step(const StatisticsRow &row);
+
+    ImbalanceRule imbalance_rule() const;
 
     /// Warn when the last step is not balanced.
     void check_energy_balance();

@@ -72,12 +72,29 @@ namespace MixedCracks
   std::shared_ptr<FluidAssembler<dim>>
   make_fluid(const Parameters<dim> &parameters, const Fields<dim> &fields);
 
-  /// 1 everywhere, 0 on slits and initial cracks; without ghosts.
+  /// 1 everywhere, 0 on slits and initial cracks; without ghosts. Throws
+  /// InputError on all ranks, also for a crack that breaks no node. Collective.
   template <int dim>
   LinearAlgebra::Vector
   initial_phase_field(const Parameters<dim>  &parameters,
                       const Fields<dim>      &fields,
                       const Constraints<dim> &constraints);
+
+  /// Evaluate the expressions in it only, for a mesh that is not the one of the
+  /// run, whose finest cells are of @p cell_size (mm). Throws InputError on all
+  /// ranks. Collective.
+  template <int dim>
+  void try_initial_phase_field(const Parameters<dim> &parameters,
+                               const Fields<dim>     &fields,
+                               double                 cell_size);
+
+  /// Evaluate what is applied at t = 0, prescribed values and loads, wherever
+  /// the run does. Throws InputError on all ranks for a value that is not
+  /// finite. Collective.
+  template <int dim>
+  void try_loads_at_start(const Parameters<dim>  &parameters,
+                          const Fields<dim>      &fields,
+                          const Constraints<dim> &constraints);
 
   /// Nodes within the unbreakable margin.
   template <int dim>

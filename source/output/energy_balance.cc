@@ -18,18 +18,27 @@ namespace MixedCracks
 
 
 
+  bool
+  is_set_free(const StepImbalance &step,
+              const StatisticsRow &row,
+              const ImbalanceRule &rule)
+  {
+    return step.energy > 0. &&
+           row.phase_field_change > rule.change_where_a_crack_ran;
+  }
+
+
+
   std::string
   imbalance_in_words(const std::vector<StatisticsRow> &rows,
-                     const double                      tolerance)
+                     const ImbalanceRule              &rule)
   {
-    if (tolerance == 0.)
-      return "";
     std::size_t n_steps = 0, worst = 0;
     double      largest = 0.;
     for (std::size_t i = 1; i < rows.size(); ++i)
     {
       const StepImbalance step = imbalance(rows[i - 1], rows[i]);
-      if (!step.exceeds(tolerance))
+      if (!rule.is_broken_by(step) || is_set_free(step, rows[i], rule))
         continue;
       ++n_steps;
       if (worst > 0 && std::abs(step.energy) <= std::abs(largest))

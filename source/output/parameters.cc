@@ -48,8 +48,9 @@ namespace MixedCracks
                       "The log warns of a load step in which the external work "
                       "differs from the growth of stored and crack energy by "
                       "more than this, relative to the external work so far, "
-                      "or to the stored energy where that is larger; 0: no "
-                      "warnings. Unit: 1.",
+                      "or to the stored energy where that is larger; steps in "
+                      "which no crack ran are among the warnings of "
+                      "summary.json, too. 0: off. Unit: 1.",
                       Patterns::Double(0.));
     prm.add_parameter("Wall time limit",
                       wall_time_limit,

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include <simulation/parameters.h>
 
+#include <limits>
+
 namespace MixedCracks
 {
   template <int dim>
@@ -21,6 +23,20 @@ namespace MixedCracks
     output.add_parameters(prm);
     crack_opening.add_parameters(prm);
     point_displacements.add_parameters(prm);
+  }
+
+
+
+  template <int dim>
+  double
+  Parameters<dim>::change_where_a_crack_ran() const
+  {
+    // that of a node which breaks, as for the end of a step (doc/model.md)
+    constexpr double broken = 0.9;
+    if (coupling.kind != "iterated")
+      return std::numeric_limits<double>::infinity();
+    const double bound = load.largest_phase_field_change;
+    return bound > 0. ? bound : broken;
   }
 
 

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
+#include <base/finite_text.h>
 #include <base/version.h>
-
-#include <output/energy_balance.h>
 
 #include <simulation/simulation.h>
 #include <simulation/simulation_plausibility.h>
 
 #include <cmath>
+#include <limits>
 
 namespace MixedCracks
 {
@@ -32,12 +32,12 @@ namespace MixedCracks
       std::string text =
         given.ratio.varies()
           ? printed("lambda/mu = %.4g to %.4g, nu = %.5f to %.5f",
-                    given.ratio.smallest,
-                    given.ratio.largest,
+                    printable(given.ratio.smallest),
+                    printable(given.ratio.largest),
                     given.nu.smallest,
                     given.nu.largest)
           : printed("lambda/mu = %.4g, nu = %.5f",
-                    given.ratio.largest,
+                    printable(given.ratio.largest),
                     given.nu.largest);
       if (given.ratio.largest < 50.)
         return text + ": compressible enough for either formulation";
@@ -96,7 +96,7 @@ namespace MixedCracks
                      "l/h = %.3g; kappa = %.3g",
                      cell_size_at_cracks(),
                      constants.length_scale,
-                     constants.length_scale / cell_size_at_cracks(),
+                     printable(constants.length_scale / cell_size_at_cracks()),
                      constants.residual_stiffness));
     log.line("load steps: " + parameters.load.steps().in_words());
     if (material_field->varies())
@@ -139,7 +139,7 @@ namespace MixedCracks
       warnings.push_back(
         printed("lambda/mu = %.3g with the displacement formulation: expect "
                 "locking; Model/Formulation = mixed avoids it",
-                stiffest_ratio));
+                printable(stiffest_ratio)));
     if (parameters.coupling.kind != "iterated")
       warnings.push_back(
         "coupling '" + parameters.coupling.kind +
@@ -152,6 +152,13 @@ namespace MixedCracks
       warnings.push_back("pressure law '" + parameters.model.pressure_law +
                          "' in a nearly incompressible solid (" + kinematics +
                          "): cracks hardly open, see doc/model.md, section 3");
+    const std::string too_many_steps = parameters.load.warning();
+    if (!too_many_steps.empty())
+      warnings.push_back(too_many_steps);
+    if (resumed)
+      warnings.insert(warnings.end(),
+                      resumed->changed_loads.begin(),
+                      resumed->changed_loads.end());
     const CaseScales scales = case_scales(parameters,
                                           coarse_extent(triangulation),
                                           material_range,
@@ -174,6 +181,14 @@ namespace MixedCracks
   Simulation<dim>::preflight(const bool only_check)
   {
     make_mesh_and_material(only_check);
+    // a run that is resumed has had its start
+    if (!resumed)
+      try_loads_at_start(parameters, fields, constraints);
+    // the run comes to it by itself, on the mesh that it starts with
+    if (only_check && not_built)
+      try_initial_phase_field(parameters, fields, cell_size);
+    else if (only_check)
+      initial_phase_field(parameters, fields, constraints);
     log_header();
     log_slits();
     collect_warnings();
@@ -208,23 +223,37 @@ namespace MixedCracks
 
 
 
+  // The least energy: next to nothing of what a crack as long as l costs.
+  template <int dim>
+  ImbalanceRule
+  Simulation<dim>::imbalance_rule() const
+  {
+    constexpr double next_to_nothing = 1e-10;
+    const double     length          = material->description().length_scale;
+    return {parameters.output.energy_imbalance_tolerance,
+            parameters.change_where_a_crack_ran(),
+            next_to_nothing * material_range.toughness.smallest *
+              std::pow(length, dim - 1) * parameters.thickness_factor()};
+  }
+
+
+
   template <int dim>
   void
   Simulation<dim>::check_energy_balance()
   {
     const std::vector<StatisticsRow> &rows = statistics.rows();
-    const double tolerance = parameters.output.energy_imbalance_tolerance;
-    if (rows.size() < 2 || tolerance == 0.)
+    if (rows.size() < 2)
       return;
+    const ImbalanceRule  rule = imbalance_rule();
     const StatisticsRow &row  = rows.back();
     const StepImbalance  step = imbalance(rows[rows.size() - 2], row);
-    if (!step.exceeds(tolerance))
+    if (!rule.is_broken_by(step))
       return;
     const std::string reason =
       parameters.coupling.kind != "iterated"
         ? "the lagged phase field acts as a rate effect"
-      : step.energy > 0. &&
-          row.phase_field_change > parameters.load.largest_phase_field_change
+      : is_set_free(step, row, rule)
         ? "set free by a crack that ran"
         : "the step is too long, or the pressure law has no energy";
     log.line(printed("  energy balance: %.4g mJ of this step, %.1f %% of the "
@@ -271,10 +300,14 @@ namespace MixedCracks
                        ? 100. * last.force_size() / peak.force_size()
                        : 0.,
                      last.displacement));
-    const std::string balance = imbalance_in_words(
-      statistics.rows(), parameters.output.energy_imbalance_tolerance);
+    ImbalanceRule     rule        = imbalance_rule();
+    const std::string balance     = imbalance_in_words(statistics.rows(), rule);
+    rule.change_where_a_crack_ran = std::numeric_limits<double>::infinity();
+    const std::string with_cracks = imbalance_in_words(statistics.rows(), rule);
     if (!balance.empty())
       log.line("warning: " + balance);
+    else if (!with_cracks.empty())
+      log.line(with_cracks + "; all of it set free by cracks that ran");
     log.line(printed("steps %u, rejected %u, factorisations %u, solves %u, "
                      "%.1f s",
                      last.step,
@@ -290,15 +323,16 @@ namespace MixedCracks
 
 
 
-#define INSTANTIATE(dim)                                            \
-  template double Simulation<dim>::cell_size_at_cracks() const;     \
-  template void   Simulation<dim>::log_header();                    \
-  template void   Simulation<dim>::collect_warnings();              \
-  template void   Simulation<dim>::preflight(bool);                 \
-  template void   Simulation<dim>::log_step(const StatisticsRow &); \
-  template void   Simulation<dim>::check_energy_balance();          \
-  template void   Simulation<dim>::log_linear_solver();             \
-  template void   Simulation<dim>::log_end(const RunOutcome &, const Summary &);
+#define INSTANTIATE(dim)                                                   \
+  template double        Simulation<dim>::cell_size_at_cracks() const;     \
+  template void          Simulation<dim>::log_header();                    \
+  template void          Simulation<dim>::collect_warnings();              \
+  template void          Simulation<dim>::preflight(bool);                 \
+  template void          Simulation<dim>::log_step(const StatisticsRow &); \
+  template ImbalanceRule Simulation<dim>::imbalance_rule() const;          \
+  template void          Simulation<dim>::check_energy_balance();          \
+  template void          Simulation<dim>::log_linear_solver();             \
+  template void Simulation<dim>::log_end(const RunOutcome &, const Summary &);
   INSTANTIATE(2)
   INSTANTIATE(3)
 #undef INSTANTIATE

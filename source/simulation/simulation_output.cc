@@ -2,8 +2,6 @@
 #include <base/collective.h>
 #include <base/version.h>
 
-#include <output/energy_balance.h>
-
 #include <simulation/simulation.h>
 
 #include <fstream>
@@ -277,8 +275,7 @@ namespace MixedCracks
     summary.warnings            = all_warnings();
     for (const std::string &warning :
          {damage_warning(),
-          imbalance_in_words(statistics.rows(),
-                             parameters.output.energy_imbalance_tolerance)})
+          imbalance_in_words(statistics.rows(), imbalance_rule())})
       if (!warning.empty())
         summary.warnings.push_back(warning);
     return summary;

@@ -2,16 +2,19 @@
 // What the .prm says of the phase field: initial cracks, nodes that cannot
 // break, values on the boundary.
 #include <base/collective.h>
+#include <base/errors.h>
 
 #include <deal.II/numerics/vector_tools.h>
 
 #include <discretization/slit_faces.h>
 
+#include <simulation/simulation_load_size.h>
 #include <simulation/simulation_setup.h>
 
 #include <algorithm>
 #include <cmath>
 #include <set>
+#include <sstream>
 
 namespace MixedCracks
 {
@@ -38,6 +41,40 @@ namespace MixedCracks
 
 
 
+    template <int dim>
+    std::string
+    extent_in_words(const Triangulation<dim> &triangulation)
+    {
+      const auto corners = coarse_extent(triangulation).get_boundary_points();
+      std::ostringstream text;
+      text << "from (" << corners.first << ") to (" << corners.second << ") mm";
+      return text.str();
+    }
+
+
+
+    // A crack without a broken node would be lost in silence. @p breaks: one
+    // for each of the names, 0 on a rank where it breaks nothing.
+    template <int dim>
+    void
+    require_broken_nodes(const std::vector<std::string> &names,
+                         std::vector<int>                breaks,
+                         const Fields<dim>              &fields)
+    {
+      Utilities::MPI::max(breaks, fields.communicator(), breaks);
+      for (std::size_t i = 0; i < names.size(); ++i)
+        if (breaks[i] == 0)
+          throw InputError(
+            names[i] +
+            ", which breaks no node of the mesh. Allowed are "
+            "cracks in the body, " +
+            extent_in_words(fields.phase_field.get_triangulation()) +
+            ", that are not too small for its cells or too narrow (Initial "
+            "cracks/Half width).");
+    }
+
+
+
     // where cells of different sizes meet, the smallest value
     template <int dim>
     void
@@ -46,6 +83,7 @@ namespace MixedCracks
                        LinearAlgebra::Vector    &values)
     {
       const InitialPhaseField<dim> phase_field(cracks);
+      std::vector<int>             breaks(phase_field.names().size(), 0);
       values = 1.;
       together(fields.communicator(), [&]() {
         for_each_node(fields,
@@ -54,8 +92,10 @@ namespace MixedCracks
                           const double                  size) {
                         values(dof) = std::min<double>(
                           values(dof), phase_field.value(position, size));
+                        phase_field.note_broken(position, size, breaks);
                       });
       });
+      require_broken_nodes(phase_field.names(), breaks, fields);
     }
 
 
@@ -101,6 +141,24 @@ namespace MixedCracks
     values.compress(VectorOperation::insert);
     constraints.phase_field_hanging_nodes().distribute(values);
     return values;
+  }
+
+
+
+  template <int dim>
+  void
+  try_initial_phase_field(const Parameters<dim> &parameters,
+                          const Fields<dim>     &fields,
+                          const double           cell_size)
+  {
+    const InitialPhaseField<dim> phase_field(parameters.initial_cracks);
+    together(fields.communicator(), [&]() {
+      for_each_node(
+        fields,
+        [&](const types::global_dof_index,
+            const Point<dim> &position,
+            const double) { phase_field.value(position, cell_size); });
+    });
   }
 
 
@@ -187,6 +245,8 @@ namespace MixedCracks
 #define INSTANTIATE(dim)                                                     \
   template LinearAlgebra::Vector initial_phase_field(                        \
     const Parameters<dim> &, const Fields<dim> &, const Constraints<dim> &); \
+  template void try_initial_phase_field(                                     \
+    const Parameters<dim> &, const Fields<dim> &, double);                   \
   template IndexSet unbreakable_nodes(const Parameters<dim> &,               \
                                       const Fields<dim> &);                  \
   template std::map<types::global_dof_index, double> prescribed_phase_field( \

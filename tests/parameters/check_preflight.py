@@ -7,7 +7,9 @@
 Counts are those of the run; a mesh of millions of cells is counted, not built;
 supports that leave a rigid motion free and points that are not in the body are
 refused; a body held and loaded at points only runs; load steps that are not
-given follow from the end time; kappa = 0 runs, or is named where it cannot.
+given follow from the end time; kappa = 0 runs, or is named where it cannot;
+bodies that move as a whole; cracks that are not in the body; expressions at the
+start.
 """
 import csv
 import math
@@ -66,6 +68,10 @@ subsection Initial cracks
   set Half width = h
 end
 """ + MATERIAL + HELD
+
+
+def set_all(settings):
+    return [word for setting in settings for word in ("--set", setting)]
 
 
 class Preflight(unittest.TestCase):
@@ -197,6 +203,71 @@ class Preflight(unittest.TestCase):
         text = self.refused(BEAM, "--set", "Load stepping/Force boundary=top")
         self.assertIn("points only", text)
 
+    def test_a_body_that_moves_as_a_whole(self):
+        """The exact answer is no stress at all."""
+        points, sides = "Boundary conditions/Displacement at points=", \
+            "Boundary conditions/Displacement="
+        for ranks, settings in (
+                (1, [points + "0,0 : all : 0 ; 8,0 : y : t"]),       # turned
+                (2, [points + "0,0 : all : t ; 8,0 : y : t"]),
+                (1, [points, sides + "bottom : all : 100*t"]),
+                (1, [points, sides + "bottom : all : t ; top : all : t",
+                     "Model/Formulation=displacement"]),
+                (1, [points, sides + "bottom : x : 0 ; bottom : y : t",
+                     "Linear solver/Name=block AMG"]),
+                (1, [points, sides + "bottom : x : 0 ; bottom : y : t ; top : x : 0"
+                     " ; top : y : t", "Initial cracks/Cracks=0,1 : 4,1"])):
+            self.run_case(BEAM, "--overwrite", *set_all(settings), ranks=ranks)
+            last = self.rows()[-1]
+            self.assertAlmostEqual(float(last["time_s"]), 0.1)
+            self.assertLess(abs(float(last["force_y_N"])), 1e-9, settings)
+            self.assertLess(float(last["elastic_energy_mJ"]), 1e-18, settings)
+
+    # --- cracks and expressions -----------------------------------------------
+
+    def test_cracks_that_are_not_in_the_body(self):
+        for name, crack in (("Cracks", "5,5 : 6,6"), ("Discs", "2,2 : 0.5")):
+            setting = "Initial cracks/%s=%s" % (name, crack)
+            for ranks, arguments in ((1, ["--check"]), (2, [])):
+                text = self.run_case(SQUARE + HELD, *arguments, "--set", setting,
+                                     ranks=ranks, status=2)
+                self.assertIn("Initial cracks/%s: found '%s'" % (name, crack), text)
+                self.assertIn("from (0 0) to (1 1) mm", text)
+                self.assertEqual(text.count("error:"), 1)
+        self.run_case(SQUARE + HELD, "--check", "--set",
+                      "Initial cracks/Cracks=0.5,0.5 : 6,0.5")
+
+    def test_expressions_in_h_are_those_of_the_mesh(self):
+        for setting in ("Model/Length scale=0.3-h", "Model/Residual stiffness=2*h-0.1",
+                        "Initial cracks/Half width=0.2-h"):
+            for size, status in (("10, 10", 0), ("2, 2", 2 if "-h" in setting else 0)):
+                text = self.run_case(
+                    SQUARE + HELD, "--check", "--set", setting, "--set",
+                    "Geometry/Rectangle/Cells=" + size, status=status)
+                self.assertEqual("for h = 0.5 mm" in text, status == 2, text)
+
+    def test_expressions_at_the_start_have_values(self):
+        for name, value in (("Initial cracks/Phase field", "1/0"),
+                            ("Initial cracks/Phase field", "sqrt(0-1)"),
+                            ("Initial cracks/Phase field", "1/(x-0.5)"),
+                            ("Fluid/Pressure", "log(0*t)"),
+                            ("Boundary conditions/Body force", "x : exp(1000)"),
+                            ("Boundary conditions/Traction", "left : x : sqrt(-1-y)"),
+                            ("Boundary conditions/Displacement at points",
+                             "0,0 : x : 1/t"),
+                            ("Boundary conditions/Displacement",
+                             "bottom : all : 0 ; top : y : log(x-1)")):
+            for ranks, arguments in ((1, ["--check"]), (2, [])):
+                text = self.run_case(SQUARE + HELD, *arguments, "--set",
+                                     name + "=" + value, ranks=ranks, status=2)
+                self.assertRegex(text, re.escape(name) + ": the expression .* gives "
+                                 ".* at x = .*; it must be finite")
+                self.assertEqual(text.count("error:"), 1)
+        # in a mesh that is counted and not built, too
+        text = self.refused(SQUARE + HELD, "--set", "Mesh/Global refinements=8",
+                            "--set", "Initial cracks/Phase field=1/0")
+        self.assertIn("Initial cracks/Phase field", text)
+
     # --- load steps -----------------------------------------------------------
 
     def test_load_steps_follow_from_the_end_time(self):
@@ -212,6 +283,20 @@ class Preflight(unittest.TestCase):
                       "Load stepping/Largest phase-field change=0")
         self.assertEqual([float("%.9g" % float(row["time_s"])) for row in self.rows()],
                          [0., 0.25, 0.5, 0.6, 0.7])
+
+    def test_steps_that_are_lost_in_rounding(self):
+        for schedule in ("0:2e-3, 0.004:1e-20", "0:1e-300"):
+            text = self.refused(SQUARE + HELD, "--set",
+                                "Load stepping/Step schedule=" + schedule)
+            self.assertIn("lost in rounding", text)
+        text = self.run_case(SQUARE + HELD, "--check", "--set",
+                             "Load stepping/Step schedule=0:1e-9")
+        self.assertIn("warning: at least 1e+09 load steps", text)
+
+    def test_numbers_that_overflow_are_not_printed(self):
+        text = self.run_case(SQUARE + HELD, "--check", "--set",
+                             "Material/Young's modulus=1e300")
+        self.assertNotRegex(text, r"\b(inf|nan)\b")
 
     # --- no residual stiffness ------------------------------------------------
 
