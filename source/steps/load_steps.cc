@@ -8,8 +8,10 @@
 //   onset    = min(largest/10, shortest of the schedule), at least smallest
 //   smallest = min(onset/100, first, shortest of the schedule)
 //
-// A bound at time t is that of the last scheduled time <= t. Times that differ
-// by less than 1e-6 smallest steps are one, since sums of steps are rounded.
+// where a tenth and a hundredth are no shorter than 1e-12 T, which is known to
+// four digits at t = T. A bound at time t is that of the last scheduled time
+// <= t. Times that differ by less than the larger of 1e-6 smallest and 1e-15 T
+// are one, since sums of steps are rounded.
 
 #include <base/errors.h>
 #include <base/log.h>

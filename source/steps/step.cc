@@ -17,7 +17,7 @@
 //       u, p [ ElasticStep  0              ]  block triangular: solved in turn,
 //       phi  [ dD/du        PhaseFieldStep ]  nothing is neglected
 //
-// The plain step of 3 is what makes a fixed point of (u, phi) -> phi; with it a
+// The states sought are the fixed points of phi~ -> phi. With plain steps a
 // running crack advances by about one cell per iteration, see fixed_point.cc.
 
 #include <deal.II/base/mpi.h>
