@@ -178,7 +178,8 @@ TEST(CaseSignature, AFileCountsByWhatItHoldsNotByItsName)
 
 TEST(CaseSignature, CanonicalTextsAreOfTheSameMeaning)
 {
-  for (const auto &[one, other] : std::vector<std::array<std::string, 2>>{
+  for (const auto &[one, other] :
+       std::vector<std::pair<std::string, std::string>>{
          {"0.1", "0.10"},
          {"1e-3", ".001"},
          {"2*h", " 2 * h"},
@@ -186,12 +187,12 @@ TEST(CaseSignature, CanonicalTextsAreOfTheSameMeaning)
          {"if(t < 1e-05, t, 0)", "if(t<0.00001,t,0)"}})
     EXPECT_EQ(canonical_text(one), canonical_text(other));
   for (const auto &[one, other] :
-       std::vector<std::array<std::string, 2>>{{"0.1", "0.11"},
-                                               {"side_01", "side_1"},
-                                               {"01", "1"},
-                                               {"a b", "ab"},
-                                               {"1-t", "1+t"},
-                                               {"1, 2", "12"}})
+       std::vector<std::pair<std::string, std::string>>{{"0.1", "0.11"},
+                                                        {"side_01", "side_1"},
+                                                        {"01", "1"},
+                                                        {"a b", "ab"},
+                                                        {"1-t", "1+t"},
+                                                        {"1, 2", "12"}})
     EXPECT_NE(canonical_text(one), canonical_text(other));
 }
 
