@@ -110,10 +110,7 @@ TEST(InitialCracks, RefuseWhatCannotBeRead)
   expect_in(problem(flat), "center : radius");
   flat.discs_text = "0,0 : 0";
   expect_in(problem(flat), "greater than 0");
-  flat.discs_text      = "";
-  flat.half_width_text = "-h";
-  expect_in(problem(flat), "must not be negative");
-  flat.half_width_text  = "h";
+  flat.discs_text       = "";
   flat.phase_field_text = "x + w";
   expect_in(problem(flat), "Initial cracks/Phase field");
   InitialCracks<3> penny;
@@ -132,6 +129,8 @@ TEST(InitialCracks, AWidthInHIsLookedAtOnTheMesh)
   const InitialPhaseField<2> phi(cracks);
   EXPECT_EQ(phi.value({0.5, 0.19}, h), 0.);
   EXPECT_THROW(phi.value({0.5, 0.}, 0.5), InputError);
+  cracks.half_width_text = "-h";
+  EXPECT_THROW(InitialPhaseField<2>(cracks).value({0.5, 0.}, h), InputError);
   cracks.half_width_text = "-1";
   expect_in(problem(cracks), "must not be negative");
 }
