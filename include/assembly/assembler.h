@@ -25,9 +25,6 @@ namespace MixedCracks
   {
     double displacement_scale; ///< N/mm, compare the residual of u with it
     double pressure_scale;     ///< mm^2, that of p
-    /// residuals up to these are nothing but rounding
-    double displacement_rounding; ///< N/mm
-    double pressure_rounding;     ///< mm^2
     /// largest relative change of the degradation since the last matrix
     double degradation_change;
     /// number of quadrature points whose split changed its regime since then

@@ -112,12 +112,6 @@ namespace MixedCracks
     /// residual has to be compared with.
     std::pair<double, double> squared_scale() const;
 
-    /// What rounding alone leaves of the residual, in the same measure: where
-    /// the body moves as a whole, the terms of the strain cancel, and there is
-    /// nothing else to compare with. @p local: as in set_state().
-    std::pair<double, double>
-    squared_rounding(const dealii::Vector<double> &local) const;
-
     /// D = sigma+ : eps = 2 psi+ at a quadrature point, undegraded; MPa.
     /// @p at: the constants there.
     double driving_force(const ElasticPoint<dim> &point,

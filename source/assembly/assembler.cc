@@ -86,12 +86,7 @@ namespace MixedCracks
                                    Vector            &residual)
   {
     cells->elastic.begin_sum(residual);
-    std::pair<double, double> scale{0., 0.}, rounding{0., 0.};
-    const auto                add = [](std::pair<double, double>       &sum,
-                        const std::pair<double, double> &more) {
-      sum.first += more.first;
-      sum.second += more.second;
-    };
+    double                 displacement_scale = 0., pressure_scale = 0.;
     TangentDistance        distance;
     dealii::Vector<double> local(local_elastic.size());
     for (unsigned int cell = 0; cell < cells->n_cells(); ++cell)
@@ -101,8 +96,9 @@ namespace MixedCracks
       tangent.set_present(cell, elastic_kernel.points());
       tangent.compare(cell, distance);
       elastic_kernel.residual(local);
-      add(scale, elastic_kernel.squared_scale());
-      add(rounding, elastic_kernel.squared_rounding(local_elastic));
+      const auto [displacement, pressure] = elastic_kernel.squared_scale();
+      displacement_scale += displacement;
+      pressure_scale += pressure;
       cells->elastic.add(cell, local, constraints, residual);
     }
     cells->elastic.end_sum(residual);
@@ -111,10 +107,8 @@ namespace MixedCracks
     const auto     sum          = [&](const double value) {
       return Utilities::MPI::sum(value, communicator);
     };
-    return {std::sqrt(sum(scale.first)),
-            std::sqrt(sum(scale.second)),
-            std::sqrt(sum(rounding.first)),
-            std::sqrt(sum(rounding.second)),
+    return {std::sqrt(sum(displacement_scale)),
+            std::sqrt(sum(pressure_scale)),
             Utilities::MPI::max(distance.degradation, communicator),
             sum(distance.regime_changes)};
   }

@@ -32,24 +32,12 @@
 
 #include <assembly/elastic_kernel.h>
 
-#include <cmath>
-#include <limits>
-
 namespace MixedCracks
 {
   using namespace dealii;
 
   namespace
   {
-    // Of the sum of the absolute terms of a strain. A term is rounded by half a
-    // unit of the last digit, and so are a sum of some ten of them and the
-    // nodal values that Newton's method has corrected: what is seen stays below
-    // a tenth of this.
-    constexpr double strain_rounding =
-      16. * std::numeric_limits<double>::epsilon();
-
-
-
     // the element of the pressure, or any other where there is none
     template <int dim>
     const FiniteElement<dim> &
@@ -367,36 +355,6 @@ namespace MixedCracks
     result.first   = (stress / h) * (stress / h);
     result.second  = strain * strain;
     return result;
-  }
-
-
-
-  // The strain is grad u = sum_a u_a grad N_a, off by
-  //   d = 16 epsilon sum_a |u_a| |grad N_a|,
-  // at one point, since the sum hardly differs between them. The stress is then
-  // off by K d, and the residuals of u and p by K d V/h and d V, with
-  // K = lambda + 2 mu, or 2 mu where the pressure is a field of its own. No
-  // degradation: parts of the split that noise gets into are not degraded.
-  template <int dim>
-  std::pair<double, double>
-  ElasticKernel<dim>::squared_rounding(const Vector<double> &local) const
-  {
-    double terms = 0.;
-    for (unsigned int a = 0; a < displacement_dofs.size(); ++a)
-    {
-      Tensor<1, dim> displacement;
-      for (unsigned int d = 0; d < dim; ++d)
-        displacement[d] = local(displacement_dofs[a][d]);
-      terms += displacement.norm() * displacement_shapes.gradient(a, 0).norm();
-    }
-    const double strain = strain_rounding * terms;
-    double       stress = 0.;
-    for (unsigned int q = 0; q < states.size(); ++q)
-      stress += (2. * constants[q].mu + (mixed ? 0. : constants[q].lambda)) *
-                strain * geometry->weights[q];
-    const double volume = geometry->volume();
-    const double h      = std::pow(volume, 1. / dim);
-    return {(stress / h) * (stress / h), (strain * volume) * (strain * volume)};
   }
 
 

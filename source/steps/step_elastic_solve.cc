@@ -44,14 +44,13 @@ namespace MixedCracks
 
     const char *const asked_to_stop = "asked to stop";
 
-    // NaN where the scale has overflown: nothing is small compared with it. What
-    // is rounding is as good as 0, also where the scale is rounding itself.
+    // NaN where the scale has overflown: nothing is small compared with it
     double
-    relative(const double size, const double scale, const double rounding)
+    relative(const double size, const double scale)
     {
       if (!std::isfinite(scale))
         return std::numeric_limits<double>::quiet_NaN();
-      return size <= rounding ? 0. : size / scale;
+      return size == 0. ? 0. : size / scale;
     }
 
     // result: @p values where they are above @p least
@@ -99,11 +98,8 @@ namespace MixedCracks
     const double load = external.l2_norm();
     ask_to_stop("assembly of the residual");
     return {relative(std::sqrt(squares[0]),
-                     std::max(assessment.displacement_scale, load),
-                     assessment.displacement_rounding),
-            relative(std::sqrt(squares[1]),
-                     assessment.pressure_scale,
-                     assessment.pressure_rounding)};
+                     std::max(assessment.displacement_scale, load)),
+            relative(std::sqrt(squares[1]), assessment.pressure_scale)};
   }
 
 

@@ -203,28 +203,6 @@ class Preflight(unittest.TestCase):
         text = self.refused(BEAM, "--set", "Load stepping/Force boundary=top")
         self.assertIn("points only", text)
 
-    def test_a_body_that_moves_as_a_whole(self):
-        """The exact answer is no stress at all."""
-        points, sides = "Boundary conditions/Displacement at points=", \
-            "Boundary conditions/Displacement="
-        for ranks, settings in (
-                (1, [points + "0,0 : all : 0 ; 8,0 : y : t"]),       # turned
-                (2, [points + "0,0 : all : t ; 8,0 : y : t"]),
-                (1, [points, sides + "bottom : all : 100*t"]),
-                (1, [points, sides + "bottom : all : t ; top : all : t",
-                     "Model/Formulation=displacement"]),
-                (1, [points, sides + "bottom : x : 0 ; bottom : y : t",
-                     "Linear solver/Name=block AMG"]),
-                (1, [points, sides + "bottom : x : 0 ; bottom : y : t ; top : x : 0"
-                     " ; top : y : t", "Initial cracks/Cracks=0,1 : 4,1"])):
-            self.run_case(BEAM, "--overwrite", *set_all(settings), ranks=ranks)
-            last = self.rows()[-1]
-            self.assertAlmostEqual(float(last["time_s"]), 0.1)
-            self.assertLess(abs(float(last["force_y_N"])), 1e-9, settings)
-            self.assertLess(float(last["elastic_energy_mJ"]), 1e-18, settings)
-
-    # --- cracks and expressions -----------------------------------------------
-
     def test_cracks_that_are_not_in_the_body(self):
         for name, crack in (("Cracks", "5,5 : 6,6"), ("Discs", "2,2 : 0.5")):
             setting = "Initial cracks/%s=%s" % (name, crack)

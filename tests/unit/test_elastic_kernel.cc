@@ -70,25 +70,6 @@ namespace
       return values;
     }
 
-    // moved and turned, each by @p size
-    LocalVector
-    rigid_motion(const double size) const
-    {
-      LocalVector values(element.n_dofs_per_cell());
-      for (unsigned int i = 0; i < values.size(); ++i)
-        if (block[i] == 0)
-        {
-          const auto position = mapping.transform_unit_to_real_cell(
-            triangulation.begin(),
-            element.base_element(0).get_unit_support_points()
-              [element.system_to_component_index(i).second]);
-          values(i) = size * (component(i) == 0   ? 1. - position[1]
-                              : component(i) == 1 ? position[0]
-                                                  : 0.3);
-        }
-      return values;
-    }
-
     LocalVector
     steps(const double displacement, const double pressure) const
     {
@@ -258,33 +239,5 @@ TYPED_TEST(ElasticKernelOf, PassesThePatchTestWhenIntact)
     EXPECT_NEAR(cell.energy(local),
                 0.5 * (stress * strain) * volume,
                 1e-12 * (stress * strain) * volume);
-  });
-}
-
-
-
-// where the body moves as a whole there is nothing but rounding
-TYPED_TEST(ElasticKernelOf, RigidMotionsLeaveNoMoreThanRounding)
-{
-  constexpr int dim = TypeParam::value;
-  for_all_materials<dim>([](const Material<dim> &material) {
-    for (const bool mixed : {true, false})
-      for (const double size : {1e-3, 1e3})
-      {
-        OneCell<dim>      cell(mixed, material);
-        const LocalVector local      = cell.rigid_motion(size);
-        const LocalVector found      = cell.residual(local);
-        double            squares[2] = {0., 0.};
-        for (unsigned int i = 0; i < found.size(); ++i)
-          squares[cell.block[i]] += found(i) * found(i);
-        const auto rounding = cell.kernel.squared_rounding(local);
-        EXPECT_LE(squares[0], 0.1 * rounding.first);
-        EXPECT_LE(squares[1], 0.1 * rounding.second);
-        // a billionth of the motion as a strain is none
-        const LocalVector strained = cell.values_near(
-          1e-9 * size * dealii::unit_symmetric_tensor<dim>(), 0.);
-        cell.residual(strained);
-        EXPECT_GT(cell.kernel.squared_scale().second, rounding.second);
-      }
   });
 }
