@@ -55,9 +55,8 @@ TEST(Geometry, CoarserCellsLeaveTheDomainAsItIs)
     EXPECT_NEAR(4. * coarse.n_active_cells() / fine.n_active_cells(), 1., 0.5);
     EXPECT_EQ(coarse.get_boundary_ids(), fine.get_boundary_ids());
     for (const auto id : fine.get_boundary_ids())
-      EXPECT_NEAR(boundary_length(coarse, id) / boundary_length(fine, id),
-                  1.,
-                  0.03);
+      EXPECT_NEAR(
+        boundary_length(coarse, id) / boundary_length(fine, id), 1., 0.03);
   }
 }
 
