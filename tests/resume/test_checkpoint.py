@@ -162,8 +162,8 @@ def main():
                     (without("mesh.info"), "'mesh.info' is missing"),
                     (without("mesh_fixed.data"), "'mesh_fixed.data' is missing"),
                     (without("record.txt"), "'record.txt' is missing"),
-                    (other_format(3), "checkpoint format 3, this program reads 2"),
-                    (first_format, "checkpoint format 1, this program reads 2")]
+                    (other_format(4), "checkpoint format 4, this program reads 3"),
+                    (first_format, "checkpoint format 1, this program reads 3")]
         for cases, is_sealed in ((sealed, True), (unsealed, False)):
             for number, (spoil, says) in enumerate(cases):
                 print(spoil.__name__, is_sealed, flush=True)
