@@ -72,8 +72,7 @@ namespace MixedCracks
   //
   //   |R_u| / max(s_u, |F|),   |R_p| / s_p     (ElasticKernel::squared_scale),
   //
-  // 0 where it is not above what rounding leaves (squared_rounding); rows of
-  // prescribed displacements left out: what stands there is the
+  // rows of prescribed displacements left out: what stands there is the
   // reaction.
   template <int dim>
   ResidualSize
