@@ -91,7 +91,7 @@ FORGETFUL = """#!/bin/bash
 # a launcher that has no ranks yet when it is asked first, as mpirun may
 asked=0
 trap 'asked=$((asked + 1)); [ $asked -lt 2 ] || exit 5' USR1
-echo ready >'%s/ready'
+echo begun >'%s/begun'
 for i in $(seq 200); do sleep 0.1; done
 """
 
@@ -102,7 +102,7 @@ def a_request_that_gets_lost_is_repeated(folder):
     launcher.chmod(0o755)
     process = common.start(by_launcher(2), folder / "none", env=dict(
         os.environ, MIXED_CRACKS_MPIRUN=str(launcher)))
-    common.wait_for((folder / "ready").exists, process)
+    common.wait_for((folder / "begun").exists, process)
     common.ask(process, signal.SIGTERM)
     common.finish(process, 5)
 
