@@ -2,11 +2,27 @@
 #ifndef mixed_cracks_base_text_h
 #define mixed_cracks_base_text_h
 
+#include <cctype>
 #include <string>
 #include <vector>
 
 namespace MixedCracks
 {
+  // The functions of <cctype>, which are undefined for characters beyond ASCII
+  // where char has a sign.
+
+  inline bool
+  is_blank(const char c)
+  {
+    return std::isspace(static_cast<unsigned char>(c)) != 0;
+  }
+
+  inline bool
+  is_digit(const char c)
+  {
+    return std::isdigit(static_cast<unsigned char>(c)) != 0;
+  }
+
   /// The parts of @p text between separators, without blanks around them and
   /// without empty parts.
   std::vector<std::string> split_list(const std::string &text, char separator);

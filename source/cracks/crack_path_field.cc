@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
+#include <base/plane.h>
+
 #include <cracks/crack_path_field.h>
 
 #include <algorithm>
@@ -10,14 +12,6 @@ namespace MixedCracks
 
   namespace
   {
-    double
-    cross(const Tensor<1, 2> &a, const Tensor<1, 2> &b)
-    {
-      return a[0] * b[1] - a[1] * b[0];
-    }
-
-
-
     // the root of the area
     double
     size_of(const std::array<Point<2>, 4> &v)

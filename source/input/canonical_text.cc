@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
+#include <base/text.h>
+
 #include <input/canonical_text.h>
 
 #include <cctype>
@@ -12,18 +14,6 @@ namespace MixedCracks
 {
   namespace
   {
-    bool
-    is_blank(const char c)
-    {
-      return std::isspace(static_cast<unsigned char>(c)) != 0;
-    }
-
-    bool
-    is_digit(const char c)
-    {
-      return std::isdigit(static_cast<unsigned char>(c)) != 0;
-    }
-
     // of a name or a number
     bool
     is_in_word(const char c)

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
+#include <base/text.h>
+
 #include <problem/grid_data.h>
 
-#include <cctype>
 #include <limits>
 
 namespace MixedCracks
@@ -10,18 +11,6 @@ namespace MixedCracks
   {
     constexpr std::size_t most_pixels    = 100 * 1000 * 1000;
     constexpr std::size_t largest_number = 65535;
-
-    bool
-    is_blank(const char c)
-    {
-      return std::isspace(static_cast<unsigned char>(c)) != 0;
-    }
-
-    bool
-    is_digit(const char c)
-    {
-      return std::isdigit(static_cast<unsigned char>(c)) != 0;
-    }
 
     // The next unsigned integer from position on, behind blanks and comments;
     // false when there is none. Position is left behind it.

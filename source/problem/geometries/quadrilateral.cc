@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
+#include <base/plane.h>
 #include <base/text.h>
 
 #include <deal.II/base/patterns.h>
@@ -24,12 +25,6 @@ namespace MixedCracks
 
     // in the order of the corners they begin at
     constexpr std::array<BoxSide, 4> sides = {{bottom, right, top, left}};
-
-    double
-    cross(const Tensor<1, 2> &a, const Tensor<1, 2> &b)
-    {
-      return a[0] * b[1] - a[1] * b[0];
-    }
 
     // of a point from the line through two others; mm
     double
