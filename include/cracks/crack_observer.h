@@ -5,9 +5,9 @@
 #include <base/linear_algebra.h>
 
 #include <cracks/crack_outcome.h>
-#include <cracks/damage_origins.h>
 
 #include <discretization/fields.h>
+#include <discretization/state.h>
 
 #include <map>
 #include <string>
@@ -19,14 +19,15 @@ namespace MixedCracks
   struct TracedCracks
   {
     std::vector<Crack> paths;   ///< on rank 0; empty elsewhere, and in 3-d
-    Outcome            outcome; ///< on rank 0; "not traced" in 3-d
+    Outcome            outcome; ///< on rank 0; not traced in 3-d
     /// whether they separate the body, on all ranks; never in 3-d
     bool separate_body = false;
   };
 
-  /// Watches the phase field of a run in the plane for cracks: where they
-  /// start, their paths, and what becomes of the body. In 3-d it does
-  /// nothing, and the outcome is "not traced". Vectors have ghosts. Collective.
+  /// Looks at states of a run in the plane for cracks: where they start, their
+  /// paths, and what becomes of the body. It remembers nothing: what it saw is
+  /// part of the state it saw it in. In 3-d it does nothing, and the outcome is
+  /// "not traced". Vectors have ghosts. Collective.
   template <int dim>
   class CrackObserver
   {
@@ -35,36 +36,29 @@ namespace MixedCracks
       const Fields<dim>                                       &fields,
       const std::map<std::string, dealii::types::boundary_id> &names);
 
-    /// To be called when the mesh changed.
-    void reinit();
+    /// To be called when the mesh changed. @p length_scale: l, mm.
+    void reinit(double length_scale);
 
-    /// The phase field after slits and initial cracks have their profile.
-    /// Before this, no cracks are found. @p length_scale: l, mm.
-    void start(double length_scale, const LinearAlgebra::Vector &phase_field);
+    /// Of a state in which slits and initial cracks have their profile. States
+    /// without these origins are not looked at, and have no cracks.
+    DamageOrigins first_origins(const LinearAlgebra::Vector &phase_field) const;
 
-    /// Go on with a run. @p nuclei: those of its origins().
-    void resume(double                               length_scale,
-                const std::vector<dealii::Point<2>> &nuclei,
-                const LinearAlgebra::Vector         &phase_field);
+    /// Of a run that goes on. @p nuclei: those found so far.
+    DamageOrigins
+    resumed_origins(const std::vector<dealii::Point<2>> &nuclei,
+                    const LinearAlgebra::Vector         &phase_field) const;
 
-    /// A phase field that is predicted within a step.
-    void watch(const LinearAlgebra::Vector &phase_field);
+    /// To be called with every phase field that is predicted within a step:
+    /// add to the origins of @p state what is broken in it and was not before.
+    void watch(State &state) const;
 
-    /// To take back what was watched since.
-    const DamageOrigins &
-    origins() const
-    {
-      return damage_origins;
-    }
-
-    void take_back(const DamageOrigins &earlier);
-
-    TracedCracks trace(const LinearAlgebra::Vector &phase_field) const;
+    TracedCracks trace(const State &state) const;
 
   private:
-    /// Positions of broken nodes of all ranks not reported since reinit().
+    /// Positions of broken nodes of all ranks that @p origins does not know.
     std::vector<dealii::Point<2>>
-    newly_broken(const LinearAlgebra::Vector &phase_field);
+    newly_broken(const LinearAlgebra::Vector &phase_field,
+                 const DamageOrigins         &origins) const;
 
     std::vector<DamagedCell>
     damaged_cells(const LinearAlgebra::Vector &phase_field) const;
@@ -74,11 +68,8 @@ namespace MixedCracks
     const Fields<dim>                                &fields;
     std::map<dealii::types::boundary_id, std::string> names;
     double                                            length_scale = 0.;
-    DamageOrigins                                     damage_origins;
 
-    // owned nodes of the phase field, and whether they were reported
-    std::vector<dealii::Point<dim>> positions;
-    std::vector<bool>               reported;
+    std::vector<dealii::Point<dim>> positions; // of owned nodes
   };
 } // namespace MixedCracks
 

@@ -9,29 +9,49 @@
 
 namespace MixedCracks
 {
-  /// In place of what is not known in 3-d, where cracks have no paths.
-  constexpr const char *not_traced = "not traced";
-
-  /// How a body has broken. A side is every boundary that is neither "hole"
-  /// nor "notch".
+  /// How a body has broken, in names of its boundaries. A side is every
+  /// boundary that is neither a hole nor a notch, see role_of_boundary().
   struct Outcome
   {
-    /// "through hole": cracks join two different sides, or the notch and a
-    /// side, by way of the hole; "below hole", "above hole": a crack, with
-    /// what it branches from, joins two sides, or the notch and a side,
-    /// without the hole, and passes below or above the center of the hole (the
-    /// mean of its edges); "arrested": there are cracks, but no such
-    /// connection; "none": there is no crack; "other": a connection in a body
-    /// without a hole, or one that does not pass the hole.
-    std::string path = "none";
+    enum class Kind
+    {
+      not_traced, ///< in 3-d, where cracks have no paths
+      none,       ///< there is no crack
+      arrested,   ///< there are cracks, but they join no two sides
+      separated   ///< cracks join two different sides, or a notch and a side
+    };
+    /// Where the cracks that separate the body run, as seen from a hole.
+    enum class Way
+    {
+      elsewhere, ///< there is no hole, or they do not pass it, or on both sides
+      through,   ///< by way of the hole: without it they would not join
+      below,     ///< without it, below its center (the mean of its edges)
+      above      ///< the same above
+    };
+    Kind kind = Kind::none;
+    Way  way  = Way::elsewhere;
+    /// which the way is about; empty where there is none
+    std::string hole;
+    /// what each crack joins that separates the body: "left to hole", "hole to
+    /// right"; "crack" is where a branch leaves another one, "tip" an end in
+    /// the material
+    std::vector<std::string> joins;
     /// Of the cracks that make the connection, or else of the longest crack,
-    /// the end at which damage came first (without nuclei: "notch" when one of
-    /// them starts there, else the start of the longest): "notch", "hole" or
-    /// the name of another boundary, "corner top left" and the like within 3 l
-    /// of where two sides meet, "interior" for a crack that has grown both
-    /// ways, "elsewhere" in the material; "none" without a crack.
+    /// the end at which damage came first (without nuclei: the notch when one
+    /// of them starts there, else the start of the longest): the name of a
+    /// boundary, "corner top left" and the like within 3 l of where two sides
+    /// meet, "interior" for a crack that has grown both ways, "elsewhere" in
+    /// the material; "none" without a crack.
     std::string start = "none";
   };
+
+  /// What there is in 3-d.
+  Outcome not_traced();
+
+  /// The word for the path of the cracks that stands in files, from one table:
+  /// "none", "arrested", "through hole", "below hole" and so on with the name
+  /// of the hole, "other" where the way has no word.
+  std::string path_in_words(const Outcome &outcome);
 
   /// Whether the cracks of that outcome have cut the body in two.
   bool separates(const Outcome &outcome);

@@ -29,11 +29,22 @@ namespace MixedCracks
     std::string      name;       ///< "left", "right", ..., "hole", "notch"
   };
 
-  /// Whether that is the name of a notch or slit, from whose tip cracks start.
+  /// What a boundary is to cracks.
+  enum class BoundaryRole
+  {
+    side,  ///< of the body: two of them joined by a crack are apart
+    hole,  ///< inside of the body: cracks may pass by way of it
+    notch, ///< or slit: cracks start at its tip
+  };
+
+  /// By its name, which geometries and files of meshes give: "hole"; "notch",
+  /// "slit"; every other one is a side.
+  BoundaryRole role_of_boundary(const std::string &name);
+
   inline bool
   is_notch(const std::string &name)
   {
-    return name == "notch" || name == "slit";
+    return role_of_boundary(name) == BoundaryRole::notch;
   }
 
   /// What trace_cracks() takes for a crack. l is the length scale.

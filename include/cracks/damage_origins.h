@@ -2,54 +2,29 @@
 #ifndef mixed_cracks_cracks_damage_origins_h
 #define mixed_cracks_cracks_damage_origins_h
 
-#include <deal.II/base/point.h>
-
-#include <array>
-#include <map>
-#include <vector>
+#include <discretization/damage_origins.h>
 
 namespace MixedCracks
 {
-  /// Where damage was seen first. Fed with broken nodes as the iterations of a
-  /// load step find them, since a crack can run through a body within one step.
-  /// A value: a rejected step is undone by a copy. Serial.
-  class DamageOrigins
-  {
-  public:
-    /// @p reach, mm: damage nearer than this to earlier damage belongs to it;
-    /// some l.
-    explicit DamageOrigins(double reach = 1.);
+  // How origins of damage are told apart, from broken nodes in the order in
+  // which the iterations of load steps find them. Serial; the same nodes give
+  // the same origins on all ranks.
 
-    /// Nodes that are broken from the start, by slits and initial cracks.
-    void add_initial(const std::vector<dealii::Point<2>> &nodes);
+  /// Begin with nodes that are broken from the start. @p reach: some l, mm.
+  DamageOrigins origins_at_start(double                               reach,
+                                 const std::vector<dealii::Point<2>> &nodes);
 
-    /// Nodes that have broken since.
-    void add(const std::vector<dealii::Point<2>> &nodes);
+  /// Those of a run that is resumed, from the @p nuclei it had found.
+  DamageOrigins resumed_origins(double                               reach,
+                                const std::vector<dealii::Point<2>> &nodes,
+                                const std::vector<dealii::Point<2>> &nuclei);
 
-    /// Of a resumed run.
-    void restore(const std::vector<dealii::Point<2>> &earlier);
+  /// Nodes that have broken since.
+  void add_broken_nodes(const std::vector<dealii::Point<2>> &nodes,
+                        DamageOrigins                       &origins);
 
-    /// The first node of damage that has nothing to do with earlier damage,
-    /// and where the initial cracks began to grow, in the order of time.
-    const std::vector<dealii::Point<2>> &
-    nuclei() const
-    {
-      return found;
-    }
-
-  private:
-    using Box = std::array<int, 2>;
-
-    Box box_of(const dealii::Point<2> &point) const;
-
-    /// Distance to the nearest node known, no more than the reach.
-    double distance(const dealii::Point<2> &point) const;
-
-    double                                       reach;
-    std::map<Box, std::vector<dealii::Point<2>>> known;
-    std::vector<dealii::Point<2>>                initial, found;
-    bool                                         initial_has_grown = false;
-  };
+  /// Whether that node was seen broken already.
+  bool is_known(const dealii::Point<2> &node, const DamageOrigins &origins);
 } // namespace MixedCracks
 
 #endif

@@ -4,6 +4,8 @@
 
 #include <base/linear_algebra.h>
 
+#include <discretization/damage_origins.h>
+
 #include <vector>
 
 namespace MixedCracks
@@ -25,6 +27,8 @@ namespace MixedCracks
     /// internal minus external nodal forces per mm thickness (N/mm): what the
     /// supports give, 0 at free nodes
     LinearAlgebra::Vector reaction;
+    /// where damage was seen first, on the way to this state
+    DamageOrigins damage_origins;
   };
 
 
@@ -57,7 +61,8 @@ namespace MixedCracks
 
   static_assert(sizeof(State) == 2 * sizeof(double) +
                                    sizeof(state_vectors) / sizeof(StateVector) *
-                                     sizeof(LinearAlgebra::Vector),
+                                     sizeof(LinearAlgebra::Vector) +
+                                   sizeof(DamageOrigins),
                 "every vector of a state has to be in the list of them");
 
   /// Those of @p dofs, in the order of the list; pointers to constant vectors

@@ -93,13 +93,13 @@ namespace MixedCracks
 
     AdaptationRule adaptation_rule() const;
 
-    /// Whether the phase field damages cells that are to be finer; sets the
-    /// places.
-    bool needs_finer_mesh(const LinearAlgebra::Vector &phase_field);
+    /// Whether the phase field damages cells that are to be finer.
+    bool needs_finer_mesh(const LinearAlgebra::Vector &phase_field) const;
 
     void refine_initial_mesh();
 
-    /// Refine around the places; the states are carried over.
+    /// Refine where the trial damages coarse cells; the states are carried
+    /// over.
     void refine(State &accepted, State &trial);
 
     /// Refuse a directory that must not be written into, and prepare one that
@@ -250,7 +250,6 @@ namespace MixedCracks
     std::unique_ptr<PhaseFieldStep<dim>>              phase_field_step;
     std::unique_ptr<StepSolver<dim>>                  step_solver;
     FixedPhaseField                                   fixed_phase_field;
-    AdaptationPlaces<dim>                             places; // to refine
     LoadControl                                       load_control;
 
     BoundaryQuantities<dim>  boundary_quantities;

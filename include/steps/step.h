@@ -53,13 +53,16 @@ namespace MixedCracks
     {
       /// asked wherever a step can be left; collective
       std::function<bool()> stop_requested;
-      /// whether this phase field, with ghosts, needs finer cells
-      std::function<bool(const LinearAlgebra::Vector &)> needs_finer_mesh;
+      /// told of every phase field that is predicted within the bound; may
+      /// note in the trial what was seen in it
+      std::function<void(State &)> watch;
+      /// whether the phase field of that state needs finer cells
+      std::function<bool(const State &)> needs_finer_mesh;
       /// the force on the body over that below which the run ends if the body
       /// is cut; infinite where it goes on
       std::function<double(const State &)> remaining_force;
-      /// whether cracks of this phase field, with ghosts, separate the body
-      std::function<bool(const LinearAlgebra::Vector &)> is_cut;
+      /// whether cracks of that state separate the body
+      std::function<bool(const State &)> is_cut;
     };
 
     StepSolver(ElasticStep<dim>      &elastic,

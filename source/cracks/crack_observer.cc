@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include <cracks/crack_observer.h>
+#include <cracks/damage_origins.h>
 
 #include <deal.II/base/mpi.h>
 
@@ -51,11 +52,11 @@ namespace MixedCracks
 
   template <int dim>
   void
-  CrackObserver<dim>::reinit()
+  CrackObserver<dim>::reinit(const double length)
   {
+    length_scale          = length;
     const IndexSet &owned = fields.phase_field_dofs.owned;
     positions.assign(owned.n_elements(), Point<dim>());
-    reported.assign(owned.n_elements(), false);
     for (const auto &cell : fields.phase_field.active_cell_iterators())
       if (!cell->is_artificial())
         for (const unsigned int v : cell->vertex_indices())
@@ -70,18 +71,17 @@ namespace MixedCracks
 
   template <int dim>
   std::vector<Point<2>>
-  CrackObserver<dim>::newly_broken(const Vector &phase_field)
+  CrackObserver<dim>::newly_broken(const Vector        &phase_field,
+                                   const DamageOrigins &origins) const
   {
     std::vector<Point<2>> own, all;
     if constexpr (dim == 2)
     {
       const IndexSet &owned = fields.phase_field_dofs.owned;
       for (unsigned int i = 0; i < positions.size(); ++i)
-        if (!reported[i] && phase_field(owned.nth_index_in_set(i)) < broken)
-        {
-          reported[i] = true;
+        if (phase_field(owned.nth_index_in_set(i)) < broken &&
+            !is_known(positions[i], origins))
           own.push_back(positions[i]);
-        }
       const MPI_Comm communicator = fields.communicator();
       if (Utilities::MPI::max(own.empty() ? 0 : 1, communicator) > 0)
         for (const auto &part : Utilities::MPI::all_gather(communicator, own))
@@ -97,44 +97,34 @@ namespace MixedCracks
 
 
   template <int dim>
-  void
-  CrackObserver<dim>::start(const double length, const Vector &phase_field)
+  DamageOrigins
+  CrackObserver<dim>::first_origins(const Vector &phase_field) const
   {
-    length_scale   = length;
-    damage_origins = DamageOrigins(reach * length);
-    damage_origins.add_initial(newly_broken(phase_field));
+    return resumed_origins({}, phase_field);
+  }
+
+
+
+  template <int dim>
+  DamageOrigins
+  CrackObserver<dim>::resumed_origins(const std::vector<Point<2>> &nuclei,
+                                      const Vector &phase_field) const
+  {
+    DamageOrigins nothing_known;
+    nothing_known.reach = reach * length_scale;
+    return MixedCracks::resumed_origins(
+      nothing_known.reach, newly_broken(phase_field, nothing_known), nuclei);
   }
 
 
 
   template <int dim>
   void
-  CrackObserver<dim>::resume(const double                 length,
-                             const std::vector<Point<2>> &nuclei,
-                             const Vector                &phase_field)
+  CrackObserver<dim>::watch(State &state) const
   {
-    start(length, phase_field);
-    damage_origins.restore(nuclei);
-  }
-
-
-
-  template <int dim>
-  void
-  CrackObserver<dim>::watch(const Vector &phase_field)
-  {
-    damage_origins.add(newly_broken(phase_field));
-  }
-
-
-
-  template <int dim>
-  void
-  CrackObserver<dim>::take_back(const DamageOrigins &earlier)
-  {
-    damage_origins = earlier;
-    // what was broken before is known already; it does no harm twice
-    std::fill(reported.begin(), reported.end(), false);
+    if (state.damage_origins.is_watched())
+      add_broken_nodes(newly_broken(state.phase_field, state.damage_origins),
+                       state.damage_origins);
   }
 
 
@@ -219,21 +209,21 @@ namespace MixedCracks
 
   template <int dim>
   TracedCracks
-  CrackObserver<dim>::trace(const Vector &phase_field) const
+  CrackObserver<dim>::trace(const State &state) const
   {
     TracedCracks traced;
     if (dim == 3)
-      traced.outcome = {not_traced, not_traced};
-    if (dim == 3 || length_scale == 0.) // not started
+      traced.outcome = not_traced();
+    if (dim == 3 || !state.damage_origins.is_watched())
       return traced;
     const MPI_Comm                  communicator = fields.communicator();
     const std::vector<BoundaryEdge> edges        = boundary_edges();
-    const std::vector<DamagedCell>  cells        = damaged_cells(phase_field);
+    const std::vector<DamagedCell>  cells = damaged_cells(state.phase_field);
     if (Utilities::MPI::this_mpi_process(communicator) == 0)
     {
       CrackPathOptions options;
       options.length_scale = length_scale;
-      options.nuclei       = damage_origins.nuclei();
+      options.nuclei       = state.damage_origins.nuclei;
       if (!cells.empty())
         traced.paths = trace_cracks(cells, edges, options);
       traced.outcome =

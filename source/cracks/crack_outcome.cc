@@ -15,10 +15,37 @@ namespace MixedCracks
   {
     using Group = std::vector<unsigned int>; // numbers of cracks
 
+    // The words that stand in files. Behind those of a way comes the name of
+    // the hole.
+    struct Word
+    {
+      Outcome::Kind kind;
+      Outcome::Way  way;
+      const char   *word;
+    };
+    constexpr Word words[] = {
+      {Outcome::Kind::not_traced, Outcome::Way::elsewhere, "not traced"},
+      {Outcome::Kind::none, Outcome::Way::elsewhere, "none"},
+      {Outcome::Kind::arrested, Outcome::Way::elsewhere, "arrested"},
+      {Outcome::Kind::separated, Outcome::Way::elsewhere, "other"},
+      {Outcome::Kind::separated, Outcome::Way::through, "through"},
+      {Outcome::Kind::separated, Outcome::Way::below, "below"},
+      {Outcome::Kind::separated, Outcome::Way::above, "above"}};
+
+
+
     bool
     is_side(const std::string &name)
     {
-      return name != "hole" && !is_notch(name);
+      return role_of_boundary(name) == BoundaryRole::side;
+    }
+
+
+
+    bool
+    is_hole(const std::string &name)
+    {
+      return role_of_boundary(name) == BoundaryRole::hole;
     }
 
 
@@ -37,7 +64,7 @@ namespace MixedCracks
         std::replace(label.begin(), label.end(), from, to);
       };
       const auto is_at_hole = [](const Crack &crack) {
-        return crack.start.name == "hole" || crack.end.name == "hole";
+        return is_hole(crack.start.name) || is_hole(crack.end.name);
       };
       for (unsigned int a = 0; a < cracks.size(); ++a)
         for (unsigned int b = 0; b < cracks.size(); ++b)
@@ -67,7 +94,7 @@ namespace MixedCracks
       bool                  has_side = false;
       for (const unsigned int c : group)
         for (const CrackEnd *end : {&cracks[c].start, &cracks[c].end})
-          if (end->kind == CrackEnd::Kind::boundary && end->name != "hole")
+          if (end->kind == CrackEnd::Kind::boundary && !is_hole(end->name))
           {
             names.insert(end->name);
             has_side = has_side || is_side(end->name);
@@ -77,27 +104,35 @@ namespace MixedCracks
 
 
 
-    bool
-    find_hole(const std::vector<BoundaryEdge> &edges, Point<2> &center)
+    struct Hole
     {
+      std::string name; // empty: there is none
+      Point<2>    center;
+    };
+
+    Hole
+    find_hole(const std::vector<BoundaryEdge> &edges)
+    {
+      Hole         hole;
       Tensor<1, 2> sum;
       double       length = 0.;
       for (const BoundaryEdge &edge : edges)
-        if (edge.name == "hole")
+        if (is_hole(edge.name))
         {
           const double part = edge.begin.distance(edge.end);
           sum += 0.5 * part * (edge.begin + Tensor<1, 2>(edge.end));
           length += part;
+          hole.name = edge.name;
         }
       if (length > 0.)
-        center = Point<2>(sum / length);
-      return length > 0.;
+        hole.center = Point<2>(sum / length);
+      return hole;
     }
 
 
 
     // where the cracks pass the vertical line through the center
-    std::string
+    Outcome::Way
     way_past(const std::vector<Crack> &cracks,
              const Group              &group,
              const Point<2>           &center)
@@ -112,8 +147,9 @@ namespace MixedCracks
           const double s = (center[0] - a[0]) / (b[0] - a[0]);
           (a[1] + s * (b[1] - a[1]) < center[1] ? below : above) = true;
         }
-      // both, or neither: no word for it
-      return below == above ? "other" : below ? "below hole" : "above hole";
+      if (below == above) // both, or neither
+        return Outcome::Way::elsewhere;
+      return below ? Outcome::Way::below : Outcome::Way::above;
     }
 
 
@@ -208,15 +244,58 @@ namespace MixedCracks
         return corner;
       return end.kind == CrackEnd::Kind::boundary ? end.name : "elsewhere";
     }
+
+
+
+    std::string
+    name_of(const CrackEnd &end)
+    {
+      return end.kind == CrackEnd::Kind::tip ? "tip" : end.name;
+    }
+
+
+
+    std::vector<std::string>
+    what_they_join(const std::vector<Crack> &cracks, const Group &group)
+    {
+      std::vector<std::string> joins;
+      for (const unsigned int c : group)
+        joins.push_back(name_of(cracks[c].start) + " to " +
+                        name_of(cracks[c].end));
+      return joins;
+    }
   } // namespace
+
+
+
+  Outcome
+  not_traced()
+  {
+    Outcome outcome;
+    outcome.kind  = Outcome::Kind::not_traced;
+    outcome.start = path_in_words(outcome);
+    return outcome;
+  }
+
+
+
+  std::string
+  path_in_words(const Outcome &outcome)
+  {
+    for (const Word &entry : words)
+      if (entry.kind == outcome.kind && entry.way == outcome.way)
+        return entry.way == Outcome::Way::elsewhere
+                 ? entry.word
+                 : entry.word + (' ' + outcome.hole);
+    return "other";
+  }
 
 
 
   bool
   separates(const Outcome &outcome)
   {
-    return outcome.path != "none" && outcome.path != "arrested" &&
-           outcome.path != not_traced;
+    return outcome.kind == Outcome::Kind::separated;
   }
 
 
@@ -230,21 +309,24 @@ namespace MixedCracks
     Outcome outcome;
     if (cracks.empty())
       return outcome;
-    Group      group;
-    Point<2>   center;
-    const bool has_hole = find_hole(edges, center);
+    Group group;
+    // a connection without the hole comes first
     for (const bool by_hole : {false, true})
       for (const Group &candidate : groups_of(cracks, length_scale, by_hole))
         if (group.empty() && connects(cracks, candidate))
         {
-          group        = candidate;
-          outcome.path = !has_hole ? "other"
-                         : by_hole ? "through hole"
-                                   : way_past(cracks, group, center);
+          group           = candidate;
+          outcome.kind    = Outcome::Kind::separated;
+          outcome.joins   = what_they_join(cracks, group);
+          const Hole hole = find_hole(edges);
+          outcome.hole    = hole.name;
+          if (!hole.name.empty())
+            outcome.way = by_hole ? Outcome::Way::through
+                                  : way_past(cracks, group, hole.center);
         }
     if (group.empty())
     {
-      outcome.path       = "arrested";
+      outcome.kind       = Outcome::Kind::arrested;
       const auto longest = std::max_element(
         cracks.begin(), cracks.end(), [](const Crack &a, const Crack &b) {
           return a.length < b.length;

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 
 namespace MixedCracks
 {
@@ -42,6 +43,19 @@ namespace MixedCracks
       return vertices;
     }
   } // namespace
+
+
+
+  BoundaryRole
+  role_of_boundary(const std::string &name)
+  {
+    static const std::map<std::string, BoundaryRole> roles = {
+      {"hole", BoundaryRole::hole},
+      {"notch", BoundaryRole::notch},
+      {"slit", BoundaryRole::notch}};
+    const auto role = roles.find(name);
+    return role == roles.end() ? BoundaryRole::side : role->second;
+  }
 
 
 

@@ -13,95 +13,115 @@ namespace MixedCracks
     // Damage this far (in reaches) from the nodes broken at the start is growth
     // of them, and not their profile that settles.
     constexpr double growth = 1. / 3.;
+
+
+
+    DamageOrigins::Box
+    box_of(const Point<2> &point, const double size)
+    {
+      return {{static_cast<int>(std::floor(point[0] / size)),
+               static_cast<int>(std::floor(point[1] / size))}};
+    }
+
+
+
+    // to the nearest node known, no more than the reach
+    double
+    distance_to_known(const Point<2> &point, const DamageOrigins &origins)
+    {
+      double                   smallest = origins.reach;
+      const DamageOrigins::Box home     = box_of(point, origins.reach);
+      for (int i = -1; i <= 1; ++i)
+        for (int j = -1; j <= 1; ++j)
+        {
+          const auto box = origins.known.find({{home[0] + i, home[1] + j}});
+          if (box == origins.known.end())
+            continue;
+          for (const Point<2> &other : box->second)
+            smallest = std::min(smallest, other.distance(point));
+        }
+      return smallest;
+    }
+
+
+
+    // The initial cracks begin to grow where they are nearest to the first
+    // damage that is beyond their own profile.
+    void
+    look_for_growth(const Point<2> &node, DamageOrigins &origins)
+    {
+      if (origins.initial_has_grown || origins.initial.empty())
+        return;
+      const auto nearest =
+        std::min_element(origins.initial.begin(),
+                         origins.initial.end(),
+                         [&](const Point<2> &a, const Point<2> &b) {
+                           return a.distance(node) < b.distance(node);
+                         });
+      const double away = nearest->distance(node);
+      if (away > growth * origins.reach && away < origins.reach)
+      {
+        origins.nuclei.push_back(*nearest);
+        origins.initial_has_grown = true;
+      }
+    }
   } // namespace
 
 
 
-  DamageOrigins::DamageOrigins(const double reach)
-    : reach(reach)
-  {}
-
-
-
-  DamageOrigins::Box
-  DamageOrigins::box_of(const Point<2> &point) const
+  DamageOrigins
+  origins_at_start(const double reach, const std::vector<Point<2>> &nodes)
   {
-    return {{static_cast<int>(std::floor(point[0] / reach)),
-             static_cast<int>(std::floor(point[1] / reach))}};
+    DamageOrigins origins;
+    origins.reach   = reach;
+    origins.initial = nodes;
+    for (const Point<2> &node : nodes)
+      origins.known[box_of(node, reach)].push_back(node);
+    return origins;
   }
 
 
 
-  double
-  DamageOrigins::distance(const Point<2> &point) const
+  DamageOrigins
+  resumed_origins(const double                 reach,
+                  const std::vector<Point<2>> &nodes,
+                  const std::vector<Point<2>> &nuclei)
   {
-    double    smallest = reach;
-    const Box home     = box_of(point);
-    for (int i = -1; i <= 1; ++i)
-      for (int j = -1; j <= 1; ++j)
-      {
-        const auto box = known.find(Box{{home[0] + i, home[1] + j}});
-        if (box == known.end())
-          continue;
-        for (const Point<2> &other : box->second)
-          smallest = std::min(smallest, other.distance(point));
-      }
-    return smallest;
+    DamageOrigins origins = origins_at_start(reach, nodes);
+    origins.nuclei        = nuclei;
+    for (const Point<2> &node : nodes)
+      origins.initial_has_grown =
+        origins.initial_has_grown ||
+        std::find(nuclei.begin(), nuclei.end(), node) != nuclei.end();
+    return origins;
   }
 
 
 
   void
-  DamageOrigins::add_initial(const std::vector<Point<2>> &nodes)
+  add_broken_nodes(const std::vector<Point<2>> &nodes, DamageOrigins &origins)
   {
     for (const Point<2> &node : nodes)
     {
-      known[box_of(node)].push_back(node);
-      initial.push_back(node);
-    }
-  }
-
-
-
-  void
-  DamageOrigins::add(const std::vector<Point<2>> &nodes)
-  {
-    for (const Point<2> &node : nodes)
-    {
-      const double from_known = distance(node);
+      const double from_known = distance_to_known(node, origins);
       if (from_known == 0.)
         continue;
-      if (from_known >= reach)
-        found.push_back(node);
-      else if (!initial_has_grown && !initial.empty())
-      {
-        const auto nearest =
-          std::min_element(initial.begin(),
-                           initial.end(),
-                           [&](const Point<2> &a, const Point<2> &b) {
-                             return a.distance(node) < b.distance(node);
-                           });
-        const double away = nearest->distance(node);
-        if (away > growth * reach && away < reach)
-        {
-          found.push_back(*nearest);
-          initial_has_grown = true;
-        }
-      }
-      known[box_of(node)].push_back(node);
+      if (from_known >= origins.reach)
+        origins.nuclei.push_back(node);
+      else
+        look_for_growth(node, origins);
+      origins.known[box_of(node, origins.reach)].push_back(node);
     }
   }
 
 
 
-  void
-  DamageOrigins::restore(const std::vector<Point<2>> &earlier)
+  bool
+  is_known(const Point<2> &node, const DamageOrigins &origins)
   {
-    found             = earlier;
-    initial_has_grown = false;
-    for (const Point<2> &node : initial)
-      initial_has_grown =
-        initial_has_grown ||
-        std::find(found.begin(), found.end(), node) != found.end();
+    const auto box = origins.known.find(box_of(node, origins.reach));
+    return box != origins.known.end() &&
+           std::find(box->second.begin(), box->second.end(), node) !=
+             box->second.end();
   }
 } // namespace MixedCracks

@@ -240,8 +240,8 @@ namespace MixedCracks
       if (!message.empty())
         return message;
     }
-    return append("# outcome: " + outcome.path + "; start: " + outcome.start +
-                  '\n');
+    return append("# outcome: " + path_in_words(outcome) +
+                  "; start: " + outcome.start + '\n');
   }
 
 

@@ -127,7 +127,7 @@ namespace MixedCracks
              : *summary.separated ? "true"
                                   : "false");
     json.raw("force_fell", summary.force_fell ? "true" : "false");
-    json.add("outcome", summary.cracks.path);
+    json.add("outcome", path_in_words(summary.cracks));
     json.add("outcome_start", summary.cracks.start);
     json.add("exit_reason", summary.exit_reason);
     json.add("exit_status", summary.exit_status);

@@ -181,18 +181,17 @@ namespace MixedCracks
       parameters.solver.newton,
       typename StepSolver<dim>::Callbacks{
         [this]() { return stop_now("coupling iteration"); },
-        [this](const LinearAlgebra::Vector &phase_field) {
-          if (!statistics.rows().empty())
-            crack_observer.watch(phase_field);
-          return needs_finer_mesh(phase_field);
+        [this](State &trial) { crack_observer.watch(trial); },
+        [this](const State &trial) {
+          return needs_finer_mesh(trial.phase_field);
         },
         [this](const State &state) {
           const double limit = load_control.force_when_apart();
           return limit > 0. ? force(state).norm() / limit
                             : std::numeric_limits<double>::infinity();
         },
-        [this](const LinearAlgebra::Vector &phase_field) {
-          return crack_observer.trace(phase_field).separate_body;
+        [this](const State &trial) {
+          return crack_observer.trace(trial).separate_body;
         }},
       communicator,
       log);
@@ -210,7 +209,7 @@ namespace MixedCracks
     log_linear_solver();
     phase_field_step->reinit();
     boundary_quantities.reinit();
-    crack_observer.reinit();
+    crack_observer.reinit(material->description().length_scale);
     point_displacements.reinit();
     if (!crack_opening.lines().empty())
       crack_opening.reinit(parameters.crack_opening.reach *
@@ -254,8 +253,7 @@ namespace MixedCracks
       throw SolverError("the initial state cannot be computed: " + fault);
     prepare_output();
     crack_path_writer.open(material->description().length_scale);
-    crack_observer.start(material->description().length_scale,
-                         relaxed.phase_field);
+    relaxed.damage_origins = crack_observer.first_origins(relaxed.phase_field);
     crack_opening_file.open();
     record(row, relaxed);
     return relaxed;
@@ -317,14 +315,10 @@ namespace MixedCracks
                        statistics.rows().size(),
                        trial.time,
                        trial.time_step));
-      const DamageOrigins origins = crack_observer.origins();
-      const double        bound   = load_control.phase_field_bound();
-      StepOutcome         outcome = solve_step(accepted, trial, bound);
+      const double bound   = load_control.phase_field_bound();
+      StepOutcome  outcome = solve_step(accepted, trial, bound);
       if (outcome.interrupted)
-      {
-        crack_observer.take_back(origins);
         return how_stopped();
-      }
       StatisticsRow row;
       if (outcome.solved && outcome.phase_field_change <= bound)
       {
@@ -344,7 +338,6 @@ namespace MixedCracks
           return run_end;
         case LoadControl::Verdict::repeat:
           log.line("  rejected: " + why_rejected(outcome));
-          crack_observer.take_back(origins);
           break;
         case LoadControl::Verdict::onset:
           log.line("  onset: " + why_rejected(outcome));

@@ -46,12 +46,11 @@ namespace MixedCracks
 
   template <int dim>
   bool
-  Simulation<dim>::needs_finer_mesh(const LinearAlgebra::Vector &phase_field)
+  Simulation<dim>::needs_finer_mesh(
+    const LinearAlgebra::Vector &phase_field) const
   {
-    if (parameters.mesh.adaptation == "none")
-      return false;
-    places = places_to_refine(fields, phase_field, adaptation_rule());
-    return !places.empty();
+    return parameters.mesh.adaptation != "none" &&
+           !places_to_refine(fields, phase_field, adaptation_rule()).empty();
   }
 
 
@@ -69,9 +68,11 @@ namespace MixedCracks
         initial_phase_field(parameters, fields, constraints);
       LinearAlgebra::Vector phase_field =
         fields.ghosted_vector(fields.phase_field_dofs);
-      phase_field = start;
+      phase_field               = start;
+      const AdaptationRule rule = adaptation_rule();
       if (!needs_finer_mesh(phase_field) ||
-          !flag_cells_near(places, adaptation_rule(), triangulation))
+          !flag_cells_near(
+            places_to_refine(fields, phase_field, rule), rule, triangulation))
         return;
       refine_and_transfer(triangulation, fields, constraints, {}, {});
     }
@@ -93,6 +94,8 @@ namespace MixedCracks
         return is_refined<dim>(
           cell, parameters.mesh.global_refinements, regions);
       };
+      const AdaptationPlaces<dim> places =
+        places_to_refine(fields, trial.phase_field, rule);
       // a round adds one level
       while (flag_cells_near(places, rule, triangulation))
       {
@@ -121,7 +124,7 @@ namespace MixedCracks
 #define INSTANTIATE(dim)                                            \
   template AdaptationRule Simulation<dim>::adaptation_rule() const; \
   template bool           Simulation<dim>::needs_finer_mesh(        \
-    const LinearAlgebra::Vector &);                       \
+    const LinearAlgebra::Vector &) const;                 \
   template void Simulation<dim>::refine_initial_mesh();             \
   template void Simulation<dim>::refine(State &, State &);
   INSTANTIATE(2)

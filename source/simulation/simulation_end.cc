@@ -15,7 +15,7 @@ namespace MixedCracks
     const bool is_again = is_same_attempt(resumed->attempt, signature.attempt);
     const auto has_joined = [&]() {
       return resumed->end == RunEnd::separated ||
-             crack_observer.trace(state.phase_field).separate_body;
+             crack_observer.trace(state).separate_body;
     };
     RunEnd end = RunEnd::none;
     // no parameter that may change would mend it
@@ -130,7 +130,7 @@ namespace MixedCracks
     if (to_be_kept && !in_a_hurry)
       write_checkpoint(last, cost);
     Summary summary = summarize(outcome, cost);
-    summary.cracks  = crack_observer.trace(last.phase_field).outcome;
+    summary.cracks  = crack_observer.trace(last).outcome;
     crack_path_writer.finish(summary.cracks);
     if (dim == 2)
       summary.separated = separates(summary.cracks);

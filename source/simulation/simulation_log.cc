@@ -289,7 +289,7 @@ namespace MixedCracks
     const StatisticsRow &last = statistics.rows().back();
     log.line("");
     log.line("end: " + outcome.reason);
-    log.line("crack: " + summary.cracks.path +
+    log.line("crack: " + path_in_words(summary.cracks) +
              ", start: " + summary.cracks.start);
     log.line(printed("peak force %.6g N at %.6g mm; at the end %.3g N (%.1f %% "
                      "of the peak) at %.6g mm",

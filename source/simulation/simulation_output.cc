@@ -165,7 +165,7 @@ namespace MixedCracks
       peak_state.reaction.clear(); // which is of no use on another mesh
       peak_step = row.step;
     }
-    const TracedCracks cracks = crack_observer.trace(state.phase_field);
+    const TracedCracks cracks = crack_observer.trace(state);
     crack_path_writer.add(row.step, row.time, row.displacement, cracks.paths);
     if (parameters.load.stop_when_separated && cracks.separate_body)
       run_end = RunEnd::separated;

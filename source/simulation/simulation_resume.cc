@@ -48,7 +48,7 @@ namespace MixedCracks
     if (resumed)
       record.changed_loads = resumed->changed_loads;
     record.totals = cost;
-    record.nuclei = crack_observer.origins().nuclei();
+    record.nuclei = state.damage_origins.nuclei;
     record.rows   = statistics.rows();
     // the state of the peak is not kept: what shall be seen of it is written
     if (!field_output.has(peak_step))
@@ -85,8 +85,8 @@ namespace MixedCracks
     deepest_overlap     = resumed->deepest_overlap;
     overlap_in_words    = resumed->overlap_in_words;
     earlier             = resumed->totals;
-    crack_observer.resume(
-      material->description().length_scale, resumed->nuclei, state.phase_field);
+    state.damage_origins =
+      crack_observer.resumed_origins(resumed->nuclei, state.phase_field);
     crack_path_writer.restore(material->description().length_scale,
                               resumed->tables["crack_path.csv"]);
     crack_opening_file.restore(resumed->tables["crack_opening.csv"]);

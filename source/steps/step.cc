@@ -269,7 +269,7 @@ namespace MixedCracks
     outcome.is_apart =
       before < 1. && outcome.remaining_force < 1. &&
       std::abs(outcome.remaining_force - before) < steady_force &&
-      callbacks.is_cut(trial.phase_field);
+      callbacks.is_cut(trial);
   }
 
 
@@ -334,11 +334,12 @@ namespace MixedCracks
                     outcome.coupling_change);
       if (!active_set.converged)
         return left(outcome, active_set.reason);
-      if (!(outcome.phase_field_change > bound) &&
-          callbacks.needs_finer_mesh(trial.phase_field))
+      if (!(outcome.phase_field_change > bound))
       {
-        outcome.mesh_is_too_coarse = true;
-        return outcome;
+        callbacks.watch(trial);
+        outcome.mesh_is_too_coarse = callbacks.needs_finer_mesh(trial);
+        if (outcome.mesh_is_too_coarse)
+          return outcome;
       }
       if (iterated)
       {

@@ -6,6 +6,8 @@
 
 #include <gtest/gtest.h>
 
+#include <set>
+
 using namespace MixedCracks;
 using namespace MixedCracks::Testing;
 
@@ -65,18 +67,59 @@ namespace
 
 TEST(CrackOutcome, NamesThePath)
 {
-  EXPECT_EQ(outcome({}).path, "none");
-  EXPECT_EQ(outcome({to_hole, onward}).path, "through hole");
-  EXPECT_EQ(outcome({below}).path, "below hole");
-  EXPECT_EQ(outcome({across}).path, "above hole");
-  EXPECT_EQ(outcome({to_hole}).path, "arrested");
-  EXPECT_EQ(outcome({onward}).path, "arrested");
-  EXPECT_EQ(outcome({crack("left", "", {{0., 3.}, {4., 3.}})}).path,
+  EXPECT_EQ(path_in_words(outcome({})), "none");
+  EXPECT_EQ(path_in_words(outcome({to_hole, onward})), "through hole");
+  EXPECT_EQ(path_in_words(outcome({below})), "below hole");
+  EXPECT_EQ(path_in_words(outcome({across})), "above hole");
+  EXPECT_EQ(path_in_words(outcome({to_hole})), "arrested");
+  EXPECT_EQ(path_in_words(outcome({onward})), "arrested");
+  EXPECT_EQ(path_in_words(outcome({crack("left", "", {{0., 3.}, {4., 3.}})})),
             "arrested");
-  EXPECT_EQ(outcome({across}, false).path, "other");
+  EXPECT_EQ(path_in_words(outcome({across}, false)), "other");
   // two sides to the left of the hole
-  EXPECT_EQ(outcome({crack("left", "top", {{0., 3.}, {3., 6.}})}).path,
-            "other");
+  EXPECT_EQ(
+    path_in_words(outcome({crack("left", "top", {{0., 3.}, {3., 6.}})})),
+    "other");
+}
+
+
+
+TEST(CrackOutcome, IsMadeOfTheNamesOfBoundaries)
+{
+  using Names = std::vector<std::string>;
+  EXPECT_EQ(outcome({to_hole, onward}).joins,
+            Names({"notch to hole", "hole to right"}));
+  EXPECT_EQ(outcome({to_hole, onward}).hole, "hole");
+  EXPECT_EQ(outcome({across}, false).joins, Names({"left to right"}));
+  EXPECT_TRUE(outcome({across}, false).hole.empty());
+  EXPECT_TRUE(outcome({to_hole}).joins.empty());
+  EXPECT_EQ(role_of_boundary("left"), BoundaryRole::side);
+  EXPECT_EQ(role_of_boundary("slit"), BoundaryRole::notch);
+}
+
+
+
+// Every pair that classify() makes has a word of its own.
+TEST(CrackOutcome, HasAWordForEverything)
+{
+  std::set<std::string> words;
+  Outcome               separated;
+  separated.kind = Outcome::Kind::separated;
+  separated.hole = "bore";
+  for (const Outcome::Way way : {Outcome::Way::elsewhere,
+                                 Outcome::Way::through,
+                                 Outcome::Way::below,
+                                 Outcome::Way::above})
+  {
+    separated.way = way;
+    words.insert(path_in_words(separated));
+  }
+  const std::set<std::string> expected = {"other",
+                                          "through bore",
+                                          "below bore",
+                                          "above bore"};
+  EXPECT_EQ(words, expected);
+  EXPECT_EQ(path_in_words(not_traced()), "not traced");
 }
 
 
@@ -84,10 +127,10 @@ TEST(CrackOutcome, NamesThePath)
 TEST(CrackOutcome, TwoSidesByWayOfTheHole)
 {
   const Crack from_left = crack("left", "hole", {{0., 3.}, {6., 3.}});
-  EXPECT_EQ(outcome({from_left, onward}).path, "through hole");
+  EXPECT_EQ(path_in_words(outcome({from_left, onward})), "through hole");
   // the same side twice is no connection
   const Crack again = crack("left", "hole", {{0., 2.5}, {6.1, 2.5}});
-  EXPECT_EQ(outcome({from_left, again}).path, "arrested");
+  EXPECT_EQ(path_in_words(outcome({from_left, again})), "arrested");
 }
 
 
@@ -97,8 +140,8 @@ TEST(CrackOutcome, ABranchBelongsToWhatItLeaves)
   const Crack trunk  = crack("left", "", {{0., 5.}, {9., 5.}});
   const Crack branch = crack("crack", "right", {{8., 5.}, {12., 4.}});
   const Crack apart  = crack("crack", "right", {{8., 4.}, {12., 4.}});
-  EXPECT_EQ(outcome({trunk, branch}).path, "above hole");
-  EXPECT_EQ(outcome({trunk, apart}).path, "arrested");
+  EXPECT_EQ(path_in_words(outcome({trunk, branch})), "above hole");
+  EXPECT_EQ(path_in_words(outcome({trunk, apart})), "arrested");
 }
 
 
@@ -153,5 +196,5 @@ TEST(CrackOutcome, OnlyAConnectionSeparates)
   EXPECT_FALSE(separates(outcome({to_hole})));
   EXPECT_TRUE(separates(outcome({onward, to_hole})));
   EXPECT_TRUE(separates(outcome({across})));
-  EXPECT_FALSE(separates({not_traced, not_traced}));
+  EXPECT_FALSE(separates(not_traced()));
 }

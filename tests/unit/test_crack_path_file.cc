@@ -139,7 +139,12 @@ TEST_F(CrackPathFiles, CanBeSeenInParaView)
 TEST_F(CrackPathFiles, EndWithTheOutcome)
 {
   EXPECT_EQ(file.add(2, 0.1, 0.02, {crack_to(4.5)}), "");
-  EXPECT_EQ(file.finish({"through hole", "notch"}), "");
+  Outcome through_hole;
+  through_hole.kind  = Outcome::Kind::separated;
+  through_hole.way   = Outcome::Way::through;
+  through_hole.hole  = "hole";
+  through_hole.start = "notch";
+  EXPECT_EQ(file.finish(through_hole), "");
   EXPECT_EQ(content("crack_path.csv"),
             header + rows_of_step_2 +
               "# outcome: through hole; start: notch\n");
@@ -157,7 +162,9 @@ TEST_F(CrackPathFiles, AreRestoredFromTheRowsOfACheckpoint)
                     vtp_3 = content("crack_path/crack_path_000003.vtp");
   EXPECT_EQ(content("crack_path.csv"), rows);
   EXPECT_EQ(file.add(10, 0.2, 0.03, {crack_to(8.)}), "");
-  EXPECT_EQ(file.finish({"arrested", "notch"}), "");
+  Outcome arrested;
+  arrested.kind = Outcome::Kind::arrested;
+  EXPECT_EQ(file.finish(arrested), "");
   std::ofstream(directory + "/crack_path.csv") << "step,ti";
   std::filesystem::remove(directory + "/crack_path.pvd");
   std::filesystem::remove(directory + "/crack_path/crack_path_000002.vtp");

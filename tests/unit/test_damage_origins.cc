@@ -10,15 +10,19 @@ using dealii::Point;
 namespace
 {
   // a notch from (0, 0) to (1, 0), nodes 0.1 apart
-  DamageOrigins
-  notched()
+  std::vector<Point<2>>
+  notch()
   {
     std::vector<Point<2>> nodes;
     for (unsigned int i = 0; i <= 10; ++i)
       nodes.push_back({0.1 * i, 0.});
-    DamageOrigins origins(0.9);
-    origins.add_initial(nodes);
-    return origins;
+    return nodes;
+  }
+
+  DamageOrigins
+  notched()
+  {
+    return origins_at_start(0.9, notch());
   }
 } // namespace
 
@@ -27,10 +31,10 @@ namespace
 TEST(DamageOrigins, TheNotchItselfIsNone)
 {
   DamageOrigins origins = notched();
-  EXPECT_TRUE(origins.nuclei().empty());
+  EXPECT_TRUE(origins.nuclei.empty());
   // its profile settles
-  origins.add({{1.1, 0.}, {0.5, 0.1}});
-  EXPECT_TRUE(origins.nuclei().empty());
+  add_broken_nodes({{1.1, 0.}, {0.5, 0.1}}, origins);
+  EXPECT_TRUE(origins.nuclei.empty());
 }
 
 
@@ -39,9 +43,9 @@ TEST(DamageOrigins, GrowthOfTheNotchStartsAtItsTip)
 {
   DamageOrigins origins = notched();
   for (unsigned int i = 1; i < 40; ++i)
-    origins.add({{1. + 0.1 * i, 0.02 * i}});
-  ASSERT_EQ(origins.nuclei().size(), 1u);
-  EXPECT_LT(origins.nuclei()[0].distance(Point<2>(1., 0.)), 1e-12);
+    add_broken_nodes({{1. + 0.1 * i, 0.02 * i}}, origins);
+  ASSERT_EQ(origins.nuclei.size(), 1u);
+  EXPECT_LT(origins.nuclei[0].distance(Point<2>(1., 0.)), 1e-12);
 }
 
 
@@ -49,12 +53,12 @@ TEST(DamageOrigins, GrowthOfTheNotchStartsAtItsTip)
 TEST(DamageOrigins, DamageElsewhereIsAnotherOneInTheOrderOfTime)
 {
   DamageOrigins origins = notched();
-  origins.add({{8., 3.}});
-  origins.add({{8.1, 3.}, {1.5, 0.}});
-  origins.add({{8.2, 3.}, {1.9, 0.}, {8.9, 3.3}});
-  ASSERT_EQ(origins.nuclei().size(), 2u);
-  EXPECT_LT(origins.nuclei()[0].distance(Point<2>(8., 3.)), 1e-12);
-  EXPECT_LT(origins.nuclei()[1].distance(Point<2>(1., 0.)), 1e-12);
+  add_broken_nodes({{8., 3.}}, origins);
+  add_broken_nodes({{8.1, 3.}, {1.5, 0.}}, origins);
+  add_broken_nodes({{8.2, 3.}, {1.9, 0.}, {8.9, 3.3}}, origins);
+  ASSERT_EQ(origins.nuclei.size(), 2u);
+  EXPECT_LT(origins.nuclei[0].distance(Point<2>(8., 3.)), 1e-12);
+  EXPECT_LT(origins.nuclei[1].distance(Point<2>(1., 0.)), 1e-12);
 }
 
 
@@ -63,20 +67,21 @@ TEST(DamageOrigins, ACopyTakesARejectedStepBack)
 {
   DamageOrigins       origins = notched();
   const DamageOrigins before  = origins;
-  origins.add({{5., 5.}});
-  EXPECT_EQ(origins.nuclei().size(), 1u);
+  add_broken_nodes({{5., 5.}}, origins);
+  EXPECT_EQ(origins.nuclei.size(), 1u);
+  EXPECT_TRUE(is_known({5., 5.}, origins));
   origins = before;
-  EXPECT_TRUE(origins.nuclei().empty());
-  origins.add({{5., 5.}});
-  EXPECT_EQ(origins.nuclei().size(), 1u);
+  EXPECT_TRUE(origins.nuclei.empty());
+  EXPECT_FALSE(is_known({5., 5.}, origins));
+  add_broken_nodes({{5., 5.}}, origins);
+  EXPECT_EQ(origins.nuclei.size(), 1u);
 }
 
 
 
 TEST(DamageOrigins, ContinuesWithWhatWasFound)
 {
-  DamageOrigins origins = notched();
-  origins.restore({{1., 0.}});
-  origins.add({{1.5, 0.}});
-  EXPECT_EQ(origins.nuclei().size(), 1u);
+  DamageOrigins origins = resumed_origins(0.9, notch(), {{1., 0.}});
+  add_broken_nodes({{1.5, 0.}}, origins);
+  EXPECT_EQ(origins.nuclei.size(), 1u);
 }
