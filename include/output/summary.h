@@ -28,14 +28,14 @@ namespace MixedCracks
     /// below Load stepping/Stop when force falls below, at the end
     bool force_fell = false;
     /// RunEnd::no_equilibrium: the load of the last row was not carried
-    bool         without_equilibrium = false;
-    bool         with_crack_volume   = false;
-    int          dimension           = 2;
-    Outcome      cracks;
-    std::string  exit_reason;
-    int          exit_status    = 0;
-    unsigned int rejected_steps = 0, factorizations = 0, solves = 0;
-    double       wall_time = 0.; ///< s
+    bool                     without_equilibrium = false;
+    std::vector<std::string> asked; ///< entries that ask for more quantities
+    int                      dimension = 2;
+    Outcome                  cracks;
+    std::string              exit_reason;
+    int                      exit_status    = 0;
+    unsigned int             rejected_steps = 0, factorizations = 0, solves = 0;
+    double                   wall_time = 0.; ///< s
     /// seconds spent in each phase, the largest over the ranks
     std::map<std::string, double> phases;
     std::vector<std::string>      warnings;

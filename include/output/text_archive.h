@@ -68,6 +68,15 @@ namespace MixedCracks
       all_of(values);
     }
 
+    /// Values somewhere else, without their number: who reads knows it.
+    template <typename T>
+    void
+    operator()(const std::vector<T *> &values)
+    {
+      for (const T *value : values)
+        (*this)(*value);
+    }
+
     template <typename A, typename B>
     void
     operator()(const std::map<A, B> &values)
@@ -168,6 +177,15 @@ namespace MixedCracks
       }
     }
 
+    /// Into places somewhere else, as many as there are.
+    template <typename T>
+    void
+    operator()(std::vector<T *> &values)
+    {
+      for (T *value : values)
+        (*this)(*value);
+    }
+
     template <typename A, typename B>
     void
     operator()(std::map<A, B> &values)
@@ -197,7 +215,7 @@ namespace MixedCracks
         value = static_cast<T>(number);
       }
       else
-        std::apply([this](auto &...member) { ((*this)(member), ...); },
+        std::apply([this](auto &&...member) { ((*this)(member), ...); },
                    members(value));
     }
 

@@ -96,6 +96,12 @@ namespace MixedCracks
                           const Fields<dim>      &fields,
                           const Constraints<dim> &constraints);
 
+  /// At rest, with the initial phase field.
+  template <int dim>
+  State undeformed_state(const Parameters<dim>  &parameters,
+                         const Fields<dim>      &fields,
+                         const Constraints<dim> &constraints);
+
   /// Nodes within the unbreakable margin.
   template <int dim>
   dealii::IndexSet unbreakable_nodes(const Parameters<dim> &parameters,

@@ -9,6 +9,7 @@ from matplotlib.figure import Figure
 from matplotlib.ticker import MaxNLocator
 
 from . import moments
+from .quantities import label, words
 
 INK, GREY, FAINT = "#22303c", "#6b7884", "#d9dfe4"
 BLUE, RED, GREEN, OCHRE = "#2f6690", "#b5403a", "#4f8a5b", "#c08a2d"
@@ -47,21 +48,20 @@ def drawing(width, height):
 def displacement_of(results):
     """(values, label) of the horizontal axis: where nothing is moved, time."""
     known = []
-    for name, label in (("displacement_mm", "Displacement (mm)"),
-                        ("time_s", "Time (s)")):
+    for name in ("displacement_mm", "time_s"):
         values = results.column(name)
         if values is not None and np.isfinite(values).any():
-            known.append((values, label))
-    for values, label in known:
+            known.append((values, label(name)))
+    for values, text in known:
         if np.nanmax(np.abs(values)) > 0.:
-            return values, label
+            return values, text
     if known:
         return known[0]
     return np.arange(results.n_steps, dtype=float), "Step"
 
 
-def unit_of(label):
-    return label.partition("(")[2].rstrip(")")
+def unit_of(text):
+    return text.partition("(")[2].rstrip(")")
 
 
 def annotated(axes, x, y, text, color, offset, align="left"):
@@ -74,7 +74,7 @@ def force_curve(results, force):
     """Force over displacement, or None when no force was written."""
     if force.values is None:
         return None
-    x, label = displacement_of(results)
+    x, x_label = displacement_of(results)
     with matplotlib.rc_context(STYLE):
         figure, axes = drawing(9.2, 4.3)
         axes.axhline(0., color=GREY, lw=0.7)
@@ -82,11 +82,11 @@ def force_curve(results, force):
         axes.plot(x, force.values, "o", color=BLUE, ms=2.6)
         top = force.values[force.peak]
         if top > 0.:
-            mark_peak_and_separation(axes, x, force, unit_of(label))
+            mark_peak_and_separation(axes, x, force, unit_of(x_label))
             axes.set_ylim(min(0., np.nanmin(force.values)) - 0.02 * top, 1.14 * top)
         if np.nanmax(x) > 0.:
             axes.set_xlim(min(0., np.nanmin(x)), 1.04 * np.nanmax(x))
-        axes.set_xlabel(label)
+        axes.set_xlabel(x_label)
         axes.set_ylabel(force.label)
         return svg_of(figure, "force")
 
@@ -106,17 +106,17 @@ def mark_peak_and_separation(axes, x, force, unit):
 
 def energy_curves(results):
     """Energies over displacement, or None when none was written."""
-    x, label = displacement_of(results)
-    columns = [("external_work_mJ", "external work", INK, "-"),
-               ("elastic_energy_mJ", "elastic energy", BLUE, "-"),
-               ("crack_energy_mJ", "crack energy", RED, "-")]
+    x, x_label = displacement_of(results)
+    columns = [("external_work_mJ", INK, "-"), ("elastic_energy_mJ", BLUE, "-"),
+               ("crack_energy_mJ", RED, "-")]
     with matplotlib.rc_context(STYLE):
         figure, axes = drawing(9.2, 3.7)
         drawn = []
-        for name, text, color, line in columns:
+        for name, color, line in columns:
             values = results.column(name)
             if values is not None and np.isfinite(values).any():
-                drawn += axes.plot(x, values, line, color=color, lw=1.5, label=text)
+                drawn += axes.plot(x, values, line, color=color, lw=1.5,
+                                   label=words(name))
         rest = moments.imbalance(results)
         if rest is not None:
             drawn += axes.plot(x, rest, "--", color=OCHRE, lw=1.5,
@@ -124,7 +124,7 @@ def energy_curves(results):
         if not drawn:
             return None
         axes.legend(loc="upper left", fontsize=9.5)
-        axes.set_xlabel(label)
+        axes.set_xlabel(x_label)
         axes.set_ylabel("Energy (mJ)")
         if np.nanmax(x) > 0.:
             axes.set_xlim(min(0., np.nanmin(x)), 1.04 * np.nanmax(x))
@@ -135,10 +135,10 @@ def step_curves(results):
     """What a step cost and how far the phase field moved: for whoever wants
     to know whether the curve above was resolved. None without columns."""
     steps = results.column("step")
-    rows = [("newton_iterations", "Newton\niterations", BLUE),
-            ("coupling_iterations", "coupling\niterations", GREEN),
-            ("max_phase_field_change", "largest change\nof φ", RED),
-            ("cells", "cells", INK)]
+    rows = [(name, words(name).replace(" ", "\n"), color) for name, color in (
+                ("newton_iterations", BLUE), ("coupling_iterations", GREEN))]
+    rows += [("max_phase_field_change", "largest change\nof φ", RED),
+             ("cells", words("cells"), INK)]
     rows = [row for row in rows if results.column(row[0]) is not None]
     if not rows or steps is None:
         return None

@@ -4,6 +4,7 @@ import math
 import os
 
 from . import moments
+from .quantities import label, words_and_unit
 from .safe import finite
 
 
@@ -147,8 +148,9 @@ def key_figures(results, force):
                         if start and start not in (crack, "not traced") else ""))
     area = results.column("crack_area_mm2")
     if area is not None:
-        figures.append(("Crack area", number(area[-1], "mm²"),
-                        number(area[0], "mm²") + " at the start"))
+        text, unit = words_and_unit("crack_area_mm2")
+        figures.append((text.capitalize(), number(area[-1], unit),
+                        number(area[0], unit) + " at the start"))
     dofs = last_known(results, "dofs")
     if dofs is not None:
         cells = last_known(results, "cells")
@@ -217,9 +219,9 @@ def run_table(results):
     names = [("program", "Program"), ("version", "Version"),
              ("revision", "Revision"), ("case", "Case"), ("ranks", "Ranks"),
              ("cells", "Cells"), ("dofs", "Unknowns"), ("steps", "Accepted steps"),
-             ("coupling", "Coupling"), ("peak_force_N", "Peak force (N)"),
-             ("displacement_at_peak_mm", "Displacement at peak (mm)"),
-             ("time_at_peak_s", "Time at peak (s)"),
+             ("coupling", "Coupling"), ("peak_force_N", label("peak_force_N")),
+             ("displacement_at_peak_mm", label("displacement_at_peak_mm")),
+             ("time_at_peak_s", label("time_at_peak_s")),
              ("remaining_force_fraction", "Remaining force / peak"),
              ("separated", "Separated"), ("force_fell", "Force fell"),
              ("outcome", "Outcome"),
@@ -227,7 +229,7 @@ def run_table(results):
              ("exit_reason", "Exit reason"), ("exit_status", "Exit status"),
              ("wall_time_s", "Wall time")]
     rows = []
-    for name, label in names:
+    for name, text in names:
         value = summary.get(name)
         if value is None:
             continue
@@ -237,12 +239,11 @@ def run_table(results):
             value = "yes" if value else "no"
         elif isinstance(value, (int, float)):
             value = number(value)
-        rows.append((label, str(value)))
+        rows.append((text, str(value)))
     known = {name for name, _ in names}
     for name, value in summary.items():
         if name not in known and isinstance(value, (str, int, float)):
-            label = name.replace("_", " ")
-            rows.append((label[:1].upper() + label[1:],
+            rows.append((label(name),
                          "yes" if value is True else "no" if value is False else
                          value if isinstance(value, str) else number(value)))
     phases = summary.get("seconds_per_phase")

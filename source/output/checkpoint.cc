@@ -206,7 +206,7 @@ namespace MixedCracks
         written.files = files_of_libraries(path);
         std::ostringstream run;
         write_record(run, record);
-        write_seal(path, written, run.str(), number, record.rows.back().step);
+        write_seal(path, written, run.str(), number, record.rows.back().step());
         if (read_seal(path).number != number)
           throw FileError("its seal is not what was written");
       }

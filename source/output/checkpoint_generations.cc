@@ -26,15 +26,15 @@ namespace MixedCracks
             const Seal        &seal,
             Generations       &found)
     {
-      if (seal.format != checkpoint_format)
+      if (seal.format != checkpoint_format())
       {
         found.has_other_format = true;
         throw FileError("checkpoint format " + std::to_string(seal.format) +
                         ", this program reads " +
-                        std::to_string(checkpoint_format));
+                        std::to_string(checkpoint_format()));
       }
       std::istringstream run(read_sealed(path).run);
-      if (read_record(run).rows.back().step != seal.step)
+      if (read_record(run).rows.back().step() != seal.step)
         throw FileError("it ends at another step than its seal");
       if (found.newest >= 0 && seal.number <= found.number)
         return;

@@ -3,14 +3,20 @@
 
 #include <output/checkpoint_seal.h>
 #include <output/disk.h>
+#include <output/quantities.h>
 #include <output/text_archive.h>
 
+#include <algorithm>
 #include <sstream>
 
 namespace MixedCracks
 {
   namespace
   {
+    // that of all files but the rows, which had so many quantities then
+    constexpr unsigned int format_of_files = 3;
+    constexpr unsigned int n_quantities    = 24;
+
     const std::string seal_name   = "/seal.txt";
     const std::string record_name = "/record.txt";
     const std::string values_name = "mesh_fixed.data";
@@ -21,7 +27,7 @@ namespace MixedCracks
     std::string
     first_line()
     {
-      return title + ' ' + std::to_string(checkpoint_format) + '\n';
+      return title + ' ' + std::to_string(checkpoint_format()) + '\n';
     }
 
 
@@ -121,6 +127,19 @@ namespace MixedCracks
 
 
 
+  unsigned int
+  checkpoint_format()
+  {
+    const auto n = std::count_if(
+      all_quantities().begin(),
+      all_quantities().end(),
+      [](const Quantity &quantity) { return quantity.is_kept(); });
+    return format_of_files +
+           1000 * (static_cast<unsigned int>(n) - n_quantities);
+  }
+
+
+
   Seal
   read_seal(const std::string &directory)
   {
@@ -130,7 +149,7 @@ namespace MixedCracks
     seal.format = read_title(in);
     if (is_seal_without_format(old))
       seal.format = 1;
-    if (seal.format != checkpoint_format)
+    if (seal.format != checkpoint_format())
       return seal;
     std::string word;
     seal.record.name = record_name.substr(1);
@@ -187,7 +206,7 @@ namespace MixedCracks
   split_record(const std::string &text)
   {
     std::istringstream in(text);
-    require(read_title(in) == checkpoint_format,
+    require(read_title(in) == checkpoint_format(),
             "its record is of another format than its seal");
     SealedRecord record;
     TextReader   reader(in);
@@ -204,7 +223,7 @@ namespace MixedCracks
   read_sealed(const std::string &directory)
   {
     const Seal seal = read_seal(directory);
-    require(seal.format == checkpoint_format, "it is not sealed");
+    require(seal.format == checkpoint_format(), "it is not sealed");
     require_as_written(directory, seal.record);
     const SealedRecord record =
       split_record(contents_of_file(directory + record_name));

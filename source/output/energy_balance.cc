@@ -10,10 +10,10 @@ namespace MixedCracks
   StepImbalance
   imbalance(const StatisticsRow &before, const StatisticsRow &after)
   {
-    const double work = std::abs(after.external_work);
+    const double work = std::abs(after["external_work"]);
     return {after.energy_imbalance(before),
-            std::max(work, after.elastic_energy),
-            after.elastic_energy > work};
+            std::max(work, after["elastic_energy"]),
+            after["elastic_energy"] > work};
   }
 
 
@@ -24,7 +24,7 @@ namespace MixedCracks
               const ImbalanceRule &rule)
   {
     return step.energy > 0. &&
-           row.phase_field_change > rule.change_where_a_crack_ran;
+           row["max_phase_field_change"] > rule.change_where_a_crack_ran;
   }
 
 
@@ -49,16 +49,16 @@ namespace MixedCracks
     if (n_steps == 0)
       return "";
     std::string text = "energy balance: ";
-    text += n_steps == 1 ? printed("step %u leaves", rows[worst].step)
+    text += n_steps == 1 ? printed("step %u leaves", rows[worst].step())
                          : printed("%zu steps leave", n_steps);
     text += " more over than Output/Energy imbalance tolerance allows";
     text +=
       n_steps == 1
         ? printed(", %.4g mJ", largest)
-        : printed(", most in step %u: %.4g mJ", rows[worst].step, largest);
-    return text +
-           printed("; %.4g mJ in all, of an external work of %.4g mJ",
-                   rows.back().energy_imbalance(rows.front()),
-                   rows.back().external_work - rows.front().external_work);
+        : printed(", most in step %u: %.4g mJ", rows[worst].step(), largest);
+    return text + printed("; %.4g mJ in all, of an external work of %.4g mJ",
+                          rows.back().energy_imbalance(rows.front()),
+                          rows.back()["external_work"] -
+                            rows.front()["external_work"]);
   }
 } // namespace MixedCracks

@@ -1,199 +1,171 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include <base/collective.h>
-
-#include <deal.II/base/quadrature_lib.h>
-
-#include <deal.II/dofs/dof_tools.h>
-
-#include <deal.II/fe/fe_values.h>
-
 #include <output/quantities.h>
 
 #include <algorithm>
-#include <map>
-#include <set>
+#include <ostream>
 
 namespace MixedCracks
 {
-  using namespace dealii;
+  namespace
+  {
+    // behind the others, in the table of doc/output.md
+    const std::string at_points =
+      "| `NAME_x_mm`, `NAME_y_mm` (3-d: `NAME_z_mm`) | only with "
+      "`Output/Displacement at points = NAME : point ; ...`: displacement of "
+      "these points of the undeformed body, anywhere in it; blanks in a name "
+      "become `_`. They are found again on every new mesh; a point outside is "
+      "refused. On a slit, where there are two displacements, it is their mean "
+      "|\n";
+  } // namespace
 
-  template <int dim>
-  BoundaryQuantities<dim>::BoundaryQuantities(
-    const Fields<dim>                      &fields,
-    const Constraints<dim>                 &constraints,
-    const std::optional<types::boundary_id> force_boundary)
-    : fields(fields)
-    , constraints(constraints)
-    , boundary(force_boundary)
+
+
+  Quantity::Quantity(const std::string &name,
+                     const std::string &unit,
+                     const std::string &sentence,
+                     const Evaluation  &evaluate)
+    : name(name)
+    , unit(unit)
+    , sentence(sentence)
+    , evaluate(evaluate)
   {}
 
 
 
-  template <int dim>
-  void
-  BoundaryQuantities<dim>::reinit()
+  Quantity::Quantity(const std::string &name,
+                     const std::string &unit,
+                     const std::string &sentence,
+                     const Derivation  &derive)
+    : name(name)
+    , unit(unit)
+    , sentence(sentence)
+    , derive(derive)
+  {}
+
+
+
+  Quantity
+  Quantity::written_as(const Format how) const
   {
-    if (boundary)
-      reinit_at_boundary();
-    else
-      reinit_at_points();
+    Quantity result = *this;
+    result.format   = how;
+    return result;
+  }
+
+
+
+  Quantity
+  Quantity::in_summary_as(const InSummary place) const
+  {
+    Quantity result = *this;
+    result.summary  = place;
+    return result;
+  }
+
+
+
+  Quantity
+  Quantity::only_in_3d() const
+  {
+    Quantity result = *this;
+    result.has_2d   = false;
+    return result;
+  }
+
+
+
+  Quantity
+  Quantity::only_with(const std::string &parameter) const
+  {
+    Quantity result = *this;
+    result.entry    = parameter;
+    return result;
+  }
+
+
+
+  Quantity
+  Quantity::called_in_3d(const std::string &other_name,
+                         const std::string &other_unit) const
+  {
+    Quantity result   = *this;
+    result.name_in_3d = other_name;
+    result.unit_in_3d = other_unit;
+    return result;
+  }
+
+
+
+  std::string
+  Quantity::column(const int dim) const
+  {
+    const bool is_other = dim == 3 && !name_in_3d.empty();
+    return is_other       ? name_in_3d + '_' + unit_in_3d
+           : unit.empty() ? name
+                          : name + '_' + unit;
+  }
+
+
+
+  bool
+  Quantity::has_column(const int                       dim,
+                       const std::vector<std::string> &asked) const
+  {
+    return (has_2d || dim == 3) &&
+           (entry.empty() ||
+            std::find(asked.begin(), asked.end(), entry) != asked.end());
   }
 
 
 
   template <int dim>
-  void
-  BoundaryQuantities<dim>::reinit_at_points()
+  StatisticsRow
+  evaluate_quantities(const Measurement<dim>         &step,
+                      const std::vector<std::string> &asked)
   {
-    const auto &points = constraints.prescribed_points();
-    const auto  moves  = [&points](const Point<dim> &position) {
-      return std::any_of(
-        points.begin(), points.end(), [&position](const auto &entry) {
-          return entry.moves && entry.point == position;
-        });
-    };
-    const bool any = std::any_of(points.begin(),
-                                 points.end(),
-                                 [](const auto &entry) { return entry.moves; });
-    for (IndexSet &dofs : owned_dofs)
-      dofs = IndexSet(fields.elastic.n_dofs());
-    for (std::size_t i = 0; i < points.size(); ++i)
-      if (const auto dof = constraints.dofs_of_points()[i];
-          dof != numbers::invalid_dof_index &&
-          fields.elastic_dofs.owned.is_element(dof) &&
-          (!any || moves(points[i].point)))
-        owned_dofs[points[i].component].add_index(dof);
-    sign = 1.;
+    StatisticsRow row;
+    for (const Quantity &quantity : all_quantities())
+      if (quantity.is_kept() && quantity.has_column(dim, asked))
+        row[quantity.name] = quantity.evaluate(step);
+    return row;
   }
 
 
 
-  template <int dim>
-  void
-  BoundaryQuantities<dim>::reinit_at_boundary()
-  {
-    for (unsigned int d = 0; d < dim; ++d)
-    {
-      std::vector<bool> mask(fields.elastic.get_fe().n_components(), false);
-      mask[d]       = true;
-      owned_dofs[d] = DoFTools::extract_boundary_dofs(
-                        fields.elastic,
-                        ComponentMask(mask),
-                        std::set<types::boundary_id>{*boundary}) &
-                      fields.elastic_dofs.owned;
-    }
-
-    Tensor<1, dim>    normal;
-    FEFaceValues<dim> face_values(fields.mapping,
-                                  fields.phase_field.get_fe(),
-                                  QGauss<dim - 1>(2),
-                                  update_normal_vectors | update_JxW_values);
-    for (const auto &cell : fields.phase_field.active_cell_iterators())
-      if (cell->is_locally_owned())
-        for (const unsigned int face : cell->face_indices())
-          if (cell->face(face)->at_boundary() &&
-              cell->face(face)->boundary_id() == *boundary)
-          {
-            face_values.reinit(cell, face);
-            for (unsigned int q = 0; q < face_values.n_quadrature_points; ++q)
-              normal += face_values.normal_vector(q) * face_values.JxW(q);
-          }
-    normal            = Utilities::MPI::sum(normal, fields.communicator());
-    unsigned int axis = 0;
-    for (unsigned int d = 1; d < dim; ++d)
-      if (std::abs(normal[d]) > std::abs(normal[axis]))
-        axis = d;
-    sign = normal[axis] < 0. ? -1. : 1.;
-  }
-
-
-
-  template <int dim>
-  Tensor<1, dim>
-  BoundaryQuantities<dim>::force(const LinearAlgebra::Vector &reaction) const
-  {
-    Tensor<1, dim> sum;
-    for (unsigned int d = 0; d < dim; ++d)
-      for (const auto dof : owned_dofs[d])
-        sum[d] += reaction(dof);
-    return sign * Utilities::MPI::sum(sum, fields.communicator());
-  }
-
-
-
-  template <int dim>
   double
-  BoundaryQuantities<dim>::displacement(const double time) const
+  value_of(const Quantity      &quantity,
+           const StatisticsRow &row,
+           const StatisticsRow &first)
   {
-    std::map<types::boundary_id, std::vector<const PrescribedComponent<dim> *>>
-      by_boundary;
-    for (const auto &entry : constraints.prescribed_components())
-    {
-      entry.value->set_time(time);
-      by_boundary[entry.boundary].push_back(&entry);
-    }
-    // integral of the magnitude and area per boundary, in the map's order
-    std::vector<double> sums(2 * by_boundary.size(), 0.);
-    FEFaceValues<dim>   face_values(fields.mapping,
-                                  fields.phase_field.get_fe(),
-                                  QGauss<dim - 1>(2),
-                                  update_quadrature_points | update_JxW_values);
-    together(fields.communicator(), [&]() {
-      for (const auto &cell : fields.phase_field.active_cell_iterators())
-        if (cell->is_locally_owned())
-          for (const unsigned int face : cell->face_indices())
-          {
-            if (!cell->face(face)->at_boundary())
-              continue;
-            const auto found =
-              by_boundary.find(cell->face(face)->boundary_id());
-            if (found == by_boundary.end())
-              continue;
-            const auto at = 2 * std::distance(by_boundary.begin(), found);
-            face_values.reinit(cell, face);
-            for (unsigned int q = 0; q < face_values.n_quadrature_points; ++q)
-            {
-              Tensor<1, dim> value;
-              for (const auto *entry : found->second)
-                value[entry->component] = entry->value->value(
-                  face_values.quadrature_point(q), entry->component);
-              sums[at] += value.norm() * face_values.JxW(q);
-              sums[at + 1] += face_values.JxW(q);
-            }
-          }
-    });
-    Utilities::MPI::sum(sums, fields.communicator(), sums);
-    double largest = 0.;
-    for (std::size_t i = 0; i < sums.size(); i += 2)
-      if (sums[i + 1] > 0.)
-        largest = std::max(largest, sums[i] / sums[i + 1]);
-    return std::max(largest, largest_point_displacement(time));
+    return quantity.is_kept() ? row[quantity.name]
+                              : quantity.derive(row, first);
   }
 
 
 
-  template <int dim>
-  double
-  BoundaryQuantities<dim>::largest_point_displacement(const double time) const
+  void
+  print_quantities(std::ostream &out)
   {
-    double largest = 0.;
-    for (const auto &entry : constraints.prescribed_points())
+    out << "| column | meaning |\n|---|---|\n";
+    for (const Quantity &quantity : all_quantities())
     {
-      Tensor<1, dim> value;
-      for (const auto &other : constraints.prescribed_points())
-        if (other.point == entry.point)
-        {
-          other.value->set_time(time);
-          value[other.component] =
-            other.value->value(other.point, other.component);
-        }
-      largest = std::max(largest, value.norm());
+      out << "| `" << quantity.column(2) << '`';
+      if (!quantity.has_2d)
+        out << " (3-d only)";
+      if (quantity.column(3) != quantity.column(2))
+        out << " (3-d: `" << quantity.column(3) << "`)";
+      out << " | ";
+      if (!quantity.entry.empty())
+        out << "only with `" << quantity.entry << "`: ";
+      out << quantity.sentence << " |\n";
     }
-    return largest;
+    out << at_points;
   }
 
 
 
-  template class BoundaryQuantities<2>;
-  template class BoundaryQuantities<3>;
+  template StatisticsRow evaluate_quantities(const Measurement<2> &,
+                                             const std::vector<std::string> &);
+  template StatisticsRow evaluate_quantities(const Measurement<3> &,
+                                             const std::vector<std::string> &);
 } // namespace MixedCracks

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
+#include <output/quantities.h>
 #include <output/run_record.h>
 #include <output/text_archive.h>
 
 #include <cmath>
+#include <functional>
 
 namespace MixedCracks
 {
@@ -14,56 +16,24 @@ namespace MixedCracks
   // there, this no longer compiles until it is written and read here. They are
   // found by the type of their argument, hence not in a namespace of their own.
 
+  // Values of a row in the order of the list, but for the crack volume and the
+  // displacements at points, which the format has before the size of the
+  // cracks.
   template <typename Row, IfIs<Row, StatisticsRow> = 0>
   static auto
   members(Row &row)
   {
-    auto &[step,
-           time,
-           displacement,
-           force,
-           elastic_energy,
-           crack_energy,
-           external_work,
-           min_phase_field,
-           phase_field_change,
-           newton_iterations,
-           linear_iterations,
-           active_set_size,
-           cells,
-           dofs,
-           wall_time,
-           coupling_iterations,
-           coupling_change,
-           factorizations,
-           rejected_steps,
-           refinements,
-           crack_volume,
-           point_displacements,
-           crack_surface] = row;
-    return std::tie(step,
-                    time,
-                    displacement,
-                    force,
-                    elastic_energy,
-                    crack_energy,
-                    external_work,
-                    min_phase_field,
-                    phase_field_change,
-                    newton_iterations,
-                    linear_iterations,
-                    active_set_size,
-                    cells,
-                    dofs,
-                    wall_time,
-                    coupling_iterations,
-                    coupling_change,
-                    factorizations,
-                    rejected_steps,
-                    refinements,
-                    crack_volume,
-                    point_displacements,
-                    crack_surface);
+    std::vector<decltype(row.values.data())> before, behind;
+    bool is_old = true; // as old as the format
+    for (std::size_t i = 0; i < row.values.size(); ++i)
+    {
+      const Quantity &quantity = all_quantities()[i];
+      if (quantity.is_kept())
+        (is_old && quantity.name != "crack_length" ? before : behind)
+          .push_back(&row.values[i]);
+      is_old = is_old && quantity.name != "crack_volume";
+    }
+    return std::make_tuple(before, std::ref(row.point_displacements), behind);
   }
 
 
@@ -146,7 +116,7 @@ namespace MixedCracks
     {
       require(!record.rows.empty(), "it has no load steps");
       for (std::size_t i = 0; i < record.rows.size(); ++i)
-        require(record.rows[i].step == i, "load steps are missing");
+        require(record.rows[i]["step"] == i, "load steps are missing");
       require(std::isfinite(record.time) && record.time >= 0. &&
                 std::isfinite(record.time_step) &&
                 std::isfinite(record.next_step) && record.next_step > 0. &&

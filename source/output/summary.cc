@@ -2,6 +2,7 @@
 #include <base/finite_text.h>
 
 #include <output/disk.h>
+#include <output/quantities.h>
 #include <output/summary.h>
 
 #include <algorithm>
@@ -46,34 +47,55 @@ namespace MixedCracks
 
 
 
+    // those that the list has for that place
     void
-    add_peak(JsonObject                       &json,
-             const std::vector<StatisticsRow> &rows,
-             const bool                        without_equilibrium)
+    add_quantities(JsonObject                       &json,
+                   const Quantity::InSummary         place,
+                   const Summary                    &summary,
+                   const std::vector<StatisticsRow> &rows)
+    {
+      for (const Quantity &quantity : all_quantities())
+      {
+        if (quantity.summary != place ||
+            !quantity.has_column(summary.dimension, summary.asked))
+          continue;
+        double value = value_of(quantity, rows.back(), rows.front());
+        if (place == Quantity::InSummary::total)
+        {
+          value = 0.;
+          for (const StatisticsRow &row : rows)
+            value += value_of(quantity, row, rows.front());
+        }
+        // what is only asked for may be unknown
+        if (quantity.entry.empty() || std::isfinite(value))
+          json.add(quantity.column(summary.dimension), value);
+      }
+    }
+
+
+
+    void
+    add_rows(JsonObject                       &json,
+             const Summary                    &summary,
+             const std::vector<StatisticsRow> &rows)
     {
       if (rows.empty())
         return;
-      const StatisticsRow &peak = rows[peak_row(rows, without_equilibrium)];
+      const StatisticsRow &peak =
+        rows[peak_row(rows, summary.without_equilibrium)];
       const StatisticsRow &last = rows.back();
-      json.add("steps", last.step);
+      json.add("steps", last.step());
       json.add("peak_force_N", peak.force_size());
-      json.add("displacement_at_peak_mm", peak.displacement);
-      json.add("time_at_peak_s", peak.time);
-      json.add("step_at_peak", peak.step);
+      json.add("displacement_at_peak_mm", peak["displacement"]);
+      json.add("time_at_peak_s", peak["time"]);
+      json.add("step_at_peak", peak.step());
       json.add("remaining_force_fraction",
                peak.force_size() > 0. ? last.force_size() / peak.force_size()
                                       : 0.);
-      json.add("end_displacement_mm", last.displacement);
-      json.add("cells", static_cast<double>(last.cells));
-      json.add("dofs", static_cast<double>(last.dofs));
-      unsigned int newton = 0, coupling = 0;
-      for (const StatisticsRow &row : rows)
-      {
-        newton += row.newton_iterations;
-        coupling += row.coupling_iterations;
-      }
-      json.add("newton_iterations", newton);
-      json.add("coupling_iterations", coupling);
+      json.add("end_displacement_mm", last["displacement"]);
+      add_quantities(json, Quantity::InSummary::size, summary, rows);
+      add_quantities(json, Quantity::InSummary::total, summary, rows);
+      add_quantities(json, Quantity::InSummary::result, summary, rows);
     }
   } // namespace
 
@@ -115,13 +137,7 @@ namespace MixedCracks
     json.add("length_scale_mm", summary.length_scale);
     json.add("residual_stiffness", summary.residual_stiffness);
     json.add("thickness_mm", summary.thickness);
-    add_peak(json, rows, summary.without_equilibrium);
-    if (!rows.empty())
-      json.add(crack_surface_name(summary.dimension),
-               rows.back().crack_surface);
-    if (summary.with_crack_volume && !rows.empty() &&
-        std::isfinite(rows.back().crack_volume))
-      json.add("crack_volume_mm3", rows.back().crack_volume);
+    add_rows(json, summary, rows);
     json.raw("separated",
              !summary.separated   ? "null"
              : *summary.separated ? "true"

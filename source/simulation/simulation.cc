@@ -1,29 +1,19 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
+#include <base/collective.h>
 #include <base/errors.h>
 
+#include <simulation/case_checks.h>
+#include <simulation/case_summary.h>
+#include <simulation/damage_warning.h>
+#include <simulation/recording.h>
 #include <simulation/simulation.h>
+#include <simulation/simulation_setup.h>
 
 #include <iostream>
-#include <limits>
 
 namespace MixedCracks
 {
   using namespace dealii;
-
-  namespace
-  {
-    template <int dim>
-    std::optional<types::boundary_id>
-    force_boundary_id(const Parameters<dim> &parameters)
-    {
-      const std::string name = parameters.force_boundary();
-      if (name.empty())
-        return {};
-      return parameters.geometry.chosen().boundary_ids().at(name);
-    }
-  } // namespace
-
-
 
   template <int dim>
   Simulation<dim>::Simulation(const Parameters<dim> &parameters,
@@ -32,39 +22,68 @@ namespace MixedCracks
                               const MPI_Comm         communicator,
                               Log                   &log)
     : parameters(parameters)
-    , effective_parameters(effective_parameters)
-    , signature(signature)
-    , communicator(communicator)
     , log(log)
     , timer(communicator,
             std::cout,
             TimerOutput::never,
             TimerOutput::wall_times)
-    , stop_poll(communicator, parameters.output.wall_time_limit)
-    , triangulation(communicator)
-    , fields(triangulation,
-             {parameters.model.mixed(), parameters.model.degree()})
-    , constraints(
-        fields,
-        prescribed_components(parameters,
-                              dim + (parameters.model.mixed() ? 1 : 0)),
-        prescribed_points(parameters, dim + (parameters.model.mixed() ? 1 : 0)))
+    , stop(communicator, parameters.output.wall_time_limit, log)
+    , body(parameters, communicator)
+    , adaptation(body)
+    , crack_observer(body.fields, parameters.geometry.chosen().boundary_ids())
     , load_control(parameters.load)
-    , boundary_quantities(fields, constraints, force_boundary_id(parameters))
-    , crack_observer(fields, parameters.geometry.chosen().boundary_ids())
-    , crack_path_writer(parameters.output.directory, communicator)
-    , crack_opening(fields, parameters.crack_opening.lines())
-    , crack_opening_file(parameters.output.directory,
-                         crack_opening.lines(),
-                         communicator)
-    , point_displacements(fields, parameters.point_displacements.points())
-    , slit_overlap(fields)
-    , statistics(communicator)
-    , field_output(fields,
-                   parameters.output.directory,
-                   parameters.output.field_format)
-    , checkpoint(parameters.output.directory, communicator)
+    , before_the_run(body, log)
+    , directory(parameters.output, effective_parameters, communicator, log)
+    , recorder(body.fields, body.constraints, recorder_options(parameters))
+    , run_log(log, run_log_options(parameters))
+    , archive(signature,
+              body,
+              crack_observer,
+              load_control,
+              recorder,
+              stop,
+              timer,
+              log)
   {}
+
+
+
+  template <int dim>
+  void
+  Simulation<dim>::preflight(const bool only_check)
+  {
+    {
+      TimerOutput::Scope scope(timer, "setup");
+      if (archive.is_resumed())
+        archive.restore_body();
+      else if (only_check)
+        body.make_to_check();
+      else
+        body.make();
+      recorder.find_places();
+    }
+    run_log.judge_energies_by(imbalance_rule(body));
+    try_expressions(only_check);
+    before_the_run.report(recorder.slits().slits(), archive.warnings());
+    if (only_check)
+      before_the_run.report_not_checked();
+  }
+
+
+
+  template <int dim>
+  void
+  Simulation<dim>::try_expressions(const bool only_check) const
+  {
+    // a run that is resumed has had its start
+    if (!archive.is_resumed())
+      try_loads_at_start(parameters, body.fields, body.constraints);
+    // the run comes to it by itself, on the mesh that it starts with
+    if (only_check && body.not_built)
+      try_initial_phase_field(parameters, body.fields, body.cell_size);
+    else if (only_check)
+      initial_phase_field(parameters, body.fields, body.constraints);
+  }
 
 
 
@@ -73,28 +92,28 @@ namespace MixedCracks
   Simulation<dim>::run(const ExistingRun existing)
   {
     if (existing == ExistingRun::resume)
-    {
-      resumed                    = checkpoint.read();
-      const std::string fallback = fallback_in_words(checkpoint.found());
-      if (has_damage(checkpoint.found()))
-        warnings.push_back(fallback); // logged with the others
-      else if (!fallback.empty())
-        log.line(fallback);
-      mend_resumed_case();
-    }
-    inspect_output(existing);
+      archive.read();
+    if (directory.inspect(existing, files_of_run(parameters)))
+      open_output();
     preflight();
-    leave_early_if_asked("making the mesh");
+    stop.leave_early_if_asked("making the mesh", archive.is_resumed());
     State accepted = first_state();
-    stop_poll.heed_the_clock();
-    if (resumed)
-      run_end = end_of_resumed_run(accepted);
-    had_ended = run_end != RunEnd::none && resumed;
+    stop.begin(archive.is_resumed());
+    if (archive.is_resumed())
+      ending = archive.ending(accepted);
     advance_to_the_end(accepted);
-    if (run_end == RunEnd::failed && !had_ended)
-      why_failed += hint_at_no_stiffness();
     return finish(accepted,
-                  {exit_status(run_end), end_in_words() + why_failed});
+                  ending.outcome(recorder.rows(), stop.end_in_words()));
+  }
+
+
+
+  template <int dim>
+  void
+  Simulation<dim>::open_output()
+  {
+    if (directory.open())
+      recorder.open_statistics();
   }
 
 
@@ -103,19 +122,97 @@ namespace MixedCracks
   State
   Simulation<dim>::first_state()
   {
+    const bool is_new = !archive.is_resumed();
     try
     {
-      if (!resumed)
-        refine_initial_mesh();
-      make_solvers();
-      reinit_on_mesh();
-      return resumed ? resumed_state() : initial_state();
+      if (is_new)
+        adaptation.refine_first_mesh([this]() {
+          stop.leave_early_if_asked("refinement of the first mesh", false);
+        });
+      trial_step = std::make_unique<TrialStep<dim>>(body,
+                                                    adaptation,
+                                                    crack_observer,
+                                                    recorder,
+                                                    load_control,
+                                                    stop,
+                                                    run_log,
+                                                    timer,
+                                                    log);
+      trial_step->reinit();
+      if (is_new)
+        return initial_state();
+      State state = archive.load_state();
+      open_output();
+      archive.restore_records(state);
+      return state;
     }
     catch (const SolverError &)
     {
       // the input was good; what could not be calculated has a log
-      if (!resumed)
-        prepare_output();
+      if (is_new)
+        open_output();
+      throw;
+    }
+  }
+
+
+
+  // Around slits and initial cracks the phase field takes its profile before
+  // any load: this is no damage of the first step.
+  template <int dim>
+  State
+  Simulation<dim>::initial_state()
+  {
+    State start = undeformed_state(parameters, body.fields, body.constraints);
+    stop.leave_early_if_asked("analysis of the matrix", false);
+    TriedStep tried = trial_step->relax(start);
+    if (tried.outcome.interrupted)
+      stop.leave_early_if_asked("step 0", false);
+    State &relaxed         = tried.state;
+    relaxed.damage_origins = crack_observer.first_origins(relaxed.phase_field);
+    open_output();
+    recorder.open_crack_files();
+    record(tried.row, relaxed);
+    return relaxed;
+  }
+
+
+
+  template <int dim>
+  void
+  Simulation<dim>::advance_to_the_end(State &accepted)
+  {
+    // what has been calculated is to be kept whatever comes of it now
+    const auto keep = [&](const int status, const std::string &reason) {
+      try
+      {
+        finish(accepted, {status, reason});
+      }
+      catch (const FileError &problem)
+      {
+        log.line(problem.what());
+      }
+    };
+    try
+    {
+      while (!ending.is_over())
+        advance(accepted);
+    }
+    catch (const InputError &error)
+    {
+      ending.is(RunEnd::refused, error.what());
+      keep(2, error.what());
+      if (!can_be_mended(error.what()))
+        throw;
+      throw InputError(
+        error.what() +
+        printed(" The last accepted state, t = %.6g s, is kept: --resume goes "
+                "on from it with another expression in this entry.",
+                accepted.time));
+    }
+    catch (const SolverError &error)
+    {
+      keep(3, error.what());
       throw;
     }
   }
@@ -124,230 +221,105 @@ namespace MixedCracks
 
   template <int dim>
   void
-  Simulation<dim>::make_mesh_and_material(const bool only_check)
-  {
-    TimerOutput::Scope scope(timer, "setup");
-    if (resumed)
-    {
-      parameters.geometry.chosen().create(triangulation);
-      checkpoint.load_mesh(triangulation);
-      cell_size = resumed->cell_size;
-    }
-    else if (only_check)
-    {
-      not_built = make_mesh_to_check(parameters, fields.layout, triangulation);
-      cell_size = not_built ? not_built->finest_size
-                            : finest_cell_size(triangulation, communicator);
-    }
-    else
-    {
-      make_mesh(parameters, triangulation);
-      cell_size = finest_cell_size(triangulation, communicator);
-    }
-    material = std::make_unique<Material<dim>>(
-      describe_material(parameters.model, parameters.material, dim, cell_size));
-    require_solver_for_stiffness();
-    fields.distribute();
-    constraints.reinit();
-    require_held_body();
-    point_displacements.reinit();
-    material_field = std::make_unique<const MaterialField<dim>>(
-      make_material_field(parameters.material, triangulation));
-    material_range = MixedCracks::material_range(*material_field, fields);
-  }
-
-
-
-  template <int dim>
-  void
-  Simulation<dim>::make_solvers()
-  {
-    const unsigned int n_components = fields.elastic.get_fe().n_components();
-    assembler                       = std::make_unique<Assembler<dim>>(
-      fields, *material, constants_function(parameters.model, *material_field));
-    Loads<dim> loads     = make_loads(parameters, n_components);
-    loads.fluid          = make_fluid(parameters, fields);
-    const StopCheck stop = [this](const std::string &finished) {
-      return stop_now(finished);
-    };
-    elastic_step = std::make_unique<ElasticStep<dim>>(
-      fields, constraints, *assembler, loads, timer, solver_parameters(), stop);
-    phase_field_step = std::make_unique<PhaseFieldStep<dim>>(
-      fields, constraints, *material, *assembler, loads.fluid, timer, stop);
-    step_solver = std::make_unique<StepSolver<dim>>(
-      *elastic_step,
-      *phase_field_step,
-      parameters.coupling.options(),
-      parameters.solver.newton,
-      typename StepSolver<dim>::Callbacks{
-        [this]() { return stop_now("coupling iteration"); },
-        [this](State &trial) { crack_observer.watch(trial); },
-        [this](const State &trial) {
-          return needs_finer_mesh(trial.phase_field);
-        },
-        [this](const State &state) {
-          const double limit = load_control.force_when_apart();
-          return limit > 0. ? force(state).norm() / limit
-                            : std::numeric_limits<double>::infinity();
-        },
-        [this](const State &trial) {
-          return crack_observer.trace(trial).separate_body;
-        }},
-      communicator,
-      log);
-  }
-
-
-
-  template <int dim>
-  void
-  Simulation<dim>::reinit_on_mesh()
-  {
-    const LinearOutcome analysis = elastic_step->reinit();
-    if (!analysis.success)
-      throw SolverError(analysis.reason);
-    log_linear_solver();
-    phase_field_step->reinit();
-    boundary_quantities.reinit();
-    crack_observer.reinit(material->description().length_scale);
-    point_displacements.reinit();
-    if (!crack_opening.lines().empty())
-      crack_opening.reinit(parameters.crack_opening.reach *
-                           material->description().length_scale);
-    fixed_phase_field.frozen = unbreakable_nodes(parameters, fields);
-  }
-
-
-
-  template <int dim>
-  State
-  Simulation<dim>::initial_state()
-  {
-    State state;
-    state.elastic     = fields.ghosted_vector(fields.elastic_dofs);
-    state.reaction    = state.elastic;
-    state.phase_field = fields.ghosted_vector(fields.phase_field_dofs);
-    // named, since a temporary would be moved and take the ghosts away
-    const LinearAlgebra::Vector start =
-      initial_phase_field(parameters, fields, constraints);
-    state.phase_field          = start;
-    state.lagged_phase_field   = state.phase_field;
-    state.previous_phase_field = state.phase_field;
-
-    // Around slits and initial cracks the phase field takes its profile
-    // before any load: this is no damage of the first step.
-    leave_early_if_asked("analysis of the matrix");
-    log.line("");
-    log.line("step 0: profile of the initial cracks");
-    State             relaxed = state;
-    const StepOutcome outcome =
-      solve_step(state, relaxed, std::numeric_limits<double>::infinity());
-    if (outcome.interrupted)
-      leave_early_if_asked("step 0");
-    if (!outcome.solved)
-      throw SolverError("the initial state cannot be computed: " +
-                        outcome.reason + hint_at_no_stiffness());
-    relaxed.previous_phase_field = relaxed.phase_field;
-    const StatisticsRow row      = measure(relaxed, relaxed, outcome);
-    if (const std::string fault = not_finite(relaxed, row); !fault.empty())
-      throw SolverError("the initial state cannot be computed: " + fault);
-    prepare_output();
-    crack_path_writer.open(material->description().length_scale);
-    relaxed.damage_origins = crack_observer.first_origins(relaxed.phase_field);
-    crack_opening_file.open();
-    record(row, relaxed);
-    return relaxed;
-  }
-
-
-
-  template <int dim>
-  StepOutcome
-  Simulation<dim>::solve_step(State &accepted, State &trial, const double bound)
-  {
-    StepOutcome outcome;
-    while (true)
-    {
-      fixed_phase_field.prescribed =
-        prescribed_phase_field(parameters, fields, trial.time);
-      outcome =
-        step_solver->solve(accepted, fixed_phase_field, bound, outcome, trial);
-      if (!outcome.mesh_is_too_coarse)
-        return outcome;
-      outcome.interrupted = stop_now("coupling iteration");
-      if (outcome.interrupted)
-        return outcome;
-      refine(accepted, trial);
-    }
-  }
-
-
-
-  namespace
-  {
-    std::string
-    why_rejected(const StepOutcome &outcome)
-    {
-      if (!outcome.solved)
-        return outcome.reason;
-      return printed(outcome.runs_away
-                       ? "the phase field runs away, by %.3g so far"
-                       : "the phase field changed by %.3g",
-                     outcome.phase_field_change);
-    }
-  } // namespace
-
-
-
-  template <int dim>
-  RunEnd
   Simulation<dim>::advance(State &accepted)
   {
-    while (true)
+    if (load_control.at_end())
+      return ending.is(RunEnd::end_time);
+    if (stop.before_a_step())
+      return ending.is(stop.how_stopped());
+    const TriedStep tried = trial_step->attempt(accepted);
+    if (tried.outcome.interrupted)
+      return ending.is(stop.how_stopped());
+    switch (load_control.judge(tried.outcome.solved, tried.change()))
     {
-      if (stop_before_a_step())
-        return how_stopped();
-      State trial     = accepted;
-      trial.time      = load_control.target_time();
-      trial.time_step = load_control.step();
-      log.line("");
-      log.line(printed("step %zu: t = %.6g s, dt = %.4g s",
-                       statistics.rows().size(),
-                       trial.time,
-                       trial.time_step));
-      const double bound   = load_control.phase_field_bound();
-      StepOutcome  outcome = solve_step(accepted, trial, bound);
-      if (outcome.interrupted)
-        return how_stopped();
-      StatisticsRow row;
-      if (outcome.solved && outcome.phase_field_change <= bound)
-      {
-        row            = measure(accepted, trial, outcome);
-        outcome.reason = not_finite(trial, row);
-        outcome.solved = outcome.reason.empty();
-      }
-      const double change = outcome.runs_away
-                              ? std::numeric_limits<double>::infinity()
-                              : outcome.phase_field_change;
-      switch (load_control.judge(outcome.solved, change))
-      {
-        case LoadControl::Verdict::accept:
-          trial.previous_phase_field = accepted.phase_field;
-          record(row, trial);
-          accepted = trial;
-          return run_end;
-        case LoadControl::Verdict::repeat:
-          log.line("  rejected: " + why_rejected(outcome));
-          break;
-        case LoadControl::Verdict::onset:
-          log.line("  onset: " + why_rejected(outcome));
-          return RunEnd::onset;
-        case LoadControl::Verdict::give_up:
-          log.line("  failed at the smallest step: " + outcome.reason);
-          why_failed = ": " + outcome.reason;
-          return RunEnd::failed;
-      }
+      case LoadControl::Verdict::accept:
+        record(tried.row, tried.state);
+        accepted = tried.state;
+        break;
+      case LoadControl::Verdict::repeat:
+        log.line("  rejected: " + tried.why_rejected());
+        break;
+      case LoadControl::Verdict::onset:
+        log.line("  onset: " + tried.why_rejected());
+        ending.is(RunEnd::onset);
+        break;
+      case LoadControl::Verdict::give_up:
+        log.line("  failed at the smallest step: " + tried.outcome.reason);
+        ending.is(RunEnd::failed,
+                  ": " + tried.outcome.reason +
+                    hint_at_no_stiffness(body.material->description()));
+        break;
     }
+  }
+
+
+
+  template <int dim>
+  void
+  Simulation<dim>::record(const StatisticsRow &row, const State &state)
+  {
+    {
+      TimerOutput::Scope scope(timer, "output"); // a checkpoint has its own
+      recorder.add(row, state);
+      run_log.step(recorder.rows());
+      if (const std::string line = recorder.watch_slits(state); !line.empty())
+        log.line(line);
+      throw_on_all_ranks(log.failure(), body.communicator());
+      const bool is_carried =
+        trial_step->solvers.loads_are_carried(state, row["elastic_energy"]);
+      if (is_carried)
+        recorder.keep_peak(state);
+      const TracedCracks cracks = crack_observer.trace(state);
+      recorder.add_cracks(cracks.paths);
+      ending.is(end_after_step(row.force_size(),
+                               cracks.separate_body,
+                               is_carried,
+                               parameters.load,
+                               load_control));
+      run_log.damage(damage_warning(body, recorder.rows(), ending.end));
+      recorder.write_fields_when_due(state, ending.is_over());
+    }
+    const unsigned int every = parameters.output.checkpoint_every;
+    // the end writes one of its own
+    if (every > 0 && row.step() > 0 && row.step() % every == 0 &&
+        !ending.is_over() && !load_control.at_end())
+      archive.write(state, ending, trial_step->totals());
+  }
+
+
+
+  template <int dim>
+  RunOutcome
+  Simulation<dim>::finish(const State &last, const RunOutcome &outcome)
+  {
+    // where nothing was left to do, it has cost nothing more
+    const RunTotals cost =
+      ending.had_ended ? recorder.earlier_totals() : trial_step->totals();
+    // an error may have come between a new mesh and all that belongs to it
+    const bool is_usable = last.reaction.size() == body.fields.elastic.n_dofs();
+    const bool to_be_kept = is_usable && !ending.had_ended;
+    // who asked a run to stop may not wait for long
+    const bool in_a_hurry = ending.end == RunEnd::stopped;
+    if (to_be_kept && in_a_hurry)
+      archive.write(last, ending, cost);
+    if (is_usable)
+      recorder.write_last_fields(last);
+    if (to_be_kept && !in_a_hurry)
+      archive.write(last, ending, cost);
+    const Summary summary =
+      summarize(body,
+                before_the_run,
+                recorder,
+                {outcome,
+                 ending.end,
+                 cost,
+                 crack_observer.trace(last).outcome,
+                 load_control.fallen_force(),
+                 trial_step->solvers.elastic.linear_solver().description()});
+    recorder.finish(summary);
+    run_log.end(outcome.reason, summary, recorder.rows());
+    throw_on_all_ranks(log.failure(), body.communicator());
+    return outcome;
   }
 
 

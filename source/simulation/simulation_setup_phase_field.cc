@@ -164,6 +164,27 @@ namespace MixedCracks
 
 
   template <int dim>
+  State
+  undeformed_state(const Parameters<dim>  &parameters,
+                   const Fields<dim>      &fields,
+                   const Constraints<dim> &constraints)
+  {
+    State state;
+    state.elastic     = fields.ghosted_vector(fields.elastic_dofs);
+    state.reaction    = state.elastic;
+    state.phase_field = fields.ghosted_vector(fields.phase_field_dofs);
+    // named, since a temporary would be moved and take the ghosts away
+    const LinearAlgebra::Vector start =
+      initial_phase_field(parameters, fields, constraints);
+    state.phase_field          = start;
+    state.lagged_phase_field   = state.phase_field;
+    state.previous_phase_field = state.phase_field;
+    return state;
+  }
+
+
+
+  template <int dim>
   IndexSet
   unbreakable_nodes(const Parameters<dim> &parameters,
                     const Fields<dim>     &fields)
@@ -247,6 +268,8 @@ namespace MixedCracks
     const Parameters<dim> &, const Fields<dim> &, const Constraints<dim> &); \
   template void try_initial_phase_field(                                     \
     const Parameters<dim> &, const Fields<dim> &, double);                   \
+  template State undeformed_state(                                           \
+    const Parameters<dim> &, const Fields<dim> &, const Constraints<dim> &); \
   template IndexSet unbreakable_nodes(const Parameters<dim> &,               \
                                       const Fields<dim> &);                  \
   template std::map<types::global_dof_index, double> prescribed_phase_field( \

@@ -12,8 +12,12 @@ from html.parser import HTMLParser
 
 import synthetic_run
 
-REPORT = os.path.join(os.path.dirname(os.path.abspath(__file__)),
-                      os.pardir, os.pardir, "scripts", "report.py")
+ROOT = os.path.abspath(os.path.join(os.path.dirname(os.path.abspath(__file__)),
+                                    os.pardir, os.pardir))
+REPORT = os.path.join(ROOT, "scripts", "report.py")
+sys.path.insert(0, os.path.join(ROOT, "scripts"))
+
+from report_parts import quantities  # noqa: E402
 VOID = ("meta", "img", "br", "link")
 
 
@@ -38,6 +42,27 @@ def run_report(*arguments, interpreter=(sys.executable,), **environment):
                           stdout=subprocess.PIPE, stderr=subprocess.PIPE,
                           universal_newlines=True,
                           env=dict(os.environ, **environment))
+
+
+class Quantities(unittest.TestCase):
+    """The words for what the program measures are made of the names."""
+
+    def test_words_of_a_name(self):
+        self.assertEqual(quantities.label("displacement_at_peak_mm"),
+                         "Displacement at peak (mm)")
+        self.assertEqual(quantities.words("newton_iterations"), "Newton iterations")
+        self.assertEqual(quantities.words_and_unit("crack_area_mm2"),
+                         ("crack area", "mm²"))
+        self.assertEqual(quantities.words_and_unit("s"), ("s", ""))
+
+    def test_every_documented_column_has_its_unit_split_off(self):
+        with open(os.path.join(ROOT, "doc", "output.md"), encoding="utf-8") as stream:
+            table = stream.read().partition("## statistics.csv")[2].partition("\n## ")[0]
+        columns = re.findall(r"^\| `([a-z_A-Z0-9]+)`", table, re.MULTILINE)
+        self.assertGreater(len(columns), 20)
+        for column in columns:
+            text, _ = quantities.words_and_unit(column)
+            self.assertNotRegex(text, r"_| (mm|mm2|mm3|N|mJ|s|MPa)$", column)
 
 
 class Report(unittest.TestCase):

@@ -114,10 +114,8 @@ TEST(CrackOutcome, HasAWordForEverything)
     separated.way = way;
     words.insert(path_in_words(separated));
   }
-  const std::set<std::string> expected = {"other",
-                                          "through bore",
-                                          "below bore",
-                                          "above bore"};
+  const std::set<std::string> expected = {
+    "other", "through bore", "below bore", "above bore"};
   EXPECT_EQ(words, expected);
   EXPECT_EQ(path_in_words(not_traced()), "not traced");
 }

@@ -8,7 +8,7 @@
 #include <deal.II/grid/grid_tools.h>
 #include <deal.II/numerics/vector_tools.h>
 
-#include <output/quantities.h>
+#include <output/boundary_quantities.h>
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,9 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include <simulation/simulation.h>
+#include <base/log.h>
+
+#include <deal.II/base/mpi.h>
+
+#include <output/finite_check.h>
 
 #include <cmath>
 
@@ -29,15 +33,15 @@ namespace MixedCracks
     fault_of(const StatisticsRow &row)
     {
       std::vector<std::pair<const char *, double>> quantities = {
-        {"the displacement of the boundary", row.displacement},
+        {"the displacement of the boundary", row["displacement"]},
         {"the reaction force", row.force_size()},
-        {"the elastic energy", row.elastic_energy},
-        {"the crack energy", row.crack_energy},
-        {"the external work", row.external_work},
-        {"the size of the cracks", row.crack_surface},
-        {"the smallest phase field", row.min_phase_field},
-        {"the change of the phase field", row.phase_field_change},
-        {"the change in the coupling", row.coupling_change}};
+        {"the elastic energy", row["elastic_energy"]},
+        {"the crack energy", row["crack_energy"]},
+        {"the external work", row["external_work"]},
+        {"the size of the cracks", row["crack_length"]},
+        {"the smallest phase field", row["min_phase_field"]},
+        {"the change of the phase field", row["max_phase_field_change"]},
+        {"the change in the coupling", row["coupling_change"]}};
       for (const double displacement : row.point_displacements)
         quantities.emplace_back("the displacement at a point", displacement);
       for (const auto &[name, value] : quantities)
@@ -51,8 +55,9 @@ namespace MixedCracks
 
   template <int dim>
   std::string
-  Simulation<dim>::not_finite(const State         &state,
-                              const StatisticsRow &row) const
+  not_finite(const Fields<dim>   &fields,
+             const State         &state,
+             const StatisticsRow &row)
   {
     const DofSets &elastic = fields.elastic_dofs;
     const DofSets &phase   = fields.phase_field_dofs;
@@ -62,7 +67,7 @@ namespace MixedCracks
       const LinearAlgebra::Vector &vector;
       const IndexSet              &owned;
     } vectors[] = {
-      {parameters.model.mixed() ? "displacement and pressure" : "displacement",
+      {fields.layout.mixed ? "displacement and pressure" : "displacement",
        state.elastic,
        elastic.owned},
       {"reactions", state.reaction, elastic.owned},
@@ -71,7 +76,7 @@ namespace MixedCracks
     for (const auto &entry : vectors)
     {
       const unsigned long n =
-        n_not_finite(entry.vector, entry.owned, communicator);
+        n_not_finite(entry.vector, entry.owned, fields.communicator());
       if (n > 0)
         return printed("%s: %lu of %llu values are not finite",
                        entry.name,
@@ -84,8 +89,8 @@ namespace MixedCracks
 
 
 
-  template std::string Simulation<2>::not_finite(const State &,
-                                                 const StatisticsRow &) const;
-  template std::string Simulation<3>::not_finite(const State &,
-                                                 const StatisticsRow &) const;
+  template std::string
+  not_finite(const Fields<2> &, const State &, const StatisticsRow &);
+  template std::string
+  not_finite(const Fields<3> &, const State &, const StatisticsRow &);
 } // namespace MixedCracks

@@ -1,0 +1,199 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include <base/collective.h>
+
+#include <deal.II/base/quadrature_lib.h>
+
+#include <deal.II/dofs/dof_tools.h>
+
+#include <deal.II/fe/fe_values.h>
+
+#include <output/boundary_quantities.h>
+
+#include <algorithm>
+#include <map>
+#include <set>
+
+namespace MixedCracks
+{
+  using namespace dealii;
+
+  template <int dim>
+  BoundaryQuantities<dim>::BoundaryQuantities(
+    const Fields<dim>                      &fields,
+    const Constraints<dim>                 &constraints,
+    const std::optional<types::boundary_id> force_boundary)
+    : fields(fields)
+    , constraints(constraints)
+    , boundary(force_boundary)
+  {}
+
+
+
+  template <int dim>
+  void
+  BoundaryQuantities<dim>::reinit()
+  {
+    if (boundary)
+      reinit_at_boundary();
+    else
+      reinit_at_points();
+  }
+
+
+
+  template <int dim>
+  void
+  BoundaryQuantities<dim>::reinit_at_points()
+  {
+    const auto &points = constraints.prescribed_points();
+    const auto  moves  = [&points](const Point<dim> &position) {
+      return std::any_of(
+        points.begin(), points.end(), [&position](const auto &entry) {
+          return entry.moves && entry.point == position;
+        });
+    };
+    const bool any = std::any_of(points.begin(),
+                                 points.end(),
+                                 [](const auto &entry) { return entry.moves; });
+    for (IndexSet &dofs : owned_dofs)
+      dofs = IndexSet(fields.elastic.n_dofs());
+    for (std::size_t i = 0; i < points.size(); ++i)
+      if (const auto dof = constraints.dofs_of_points()[i];
+          dof != numbers::invalid_dof_index &&
+          fields.elastic_dofs.owned.is_element(dof) &&
+          (!any || moves(points[i].point)))
+        owned_dofs[points[i].component].add_index(dof);
+    sign = 1.;
+  }
+
+
+
+  template <int dim>
+  void
+  BoundaryQuantities<dim>::reinit_at_boundary()
+  {
+    for (unsigned int d = 0; d < dim; ++d)
+    {
+      std::vector<bool> mask(fields.elastic.get_fe().n_components(), false);
+      mask[d]       = true;
+      owned_dofs[d] = DoFTools::extract_boundary_dofs(
+                        fields.elastic,
+                        ComponentMask(mask),
+                        std::set<types::boundary_id>{*boundary}) &
+                      fields.elastic_dofs.owned;
+    }
+
+    Tensor<1, dim>    normal;
+    FEFaceValues<dim> face_values(fields.mapping,
+                                  fields.phase_field.get_fe(),
+                                  QGauss<dim - 1>(2),
+                                  update_normal_vectors | update_JxW_values);
+    for (const auto &cell : fields.phase_field.active_cell_iterators())
+      if (cell->is_locally_owned())
+        for (const unsigned int face : cell->face_indices())
+          if (cell->face(face)->at_boundary() &&
+              cell->face(face)->boundary_id() == *boundary)
+          {
+            face_values.reinit(cell, face);
+            for (unsigned int q = 0; q < face_values.n_quadrature_points; ++q)
+              normal += face_values.normal_vector(q) * face_values.JxW(q);
+          }
+    normal            = Utilities::MPI::sum(normal, fields.communicator());
+    unsigned int axis = 0;
+    for (unsigned int d = 1; d < dim; ++d)
+      if (std::abs(normal[d]) > std::abs(normal[axis]))
+        axis = d;
+    sign = normal[axis] < 0. ? -1. : 1.;
+  }
+
+
+
+  template <int dim>
+  Tensor<1, dim>
+  BoundaryQuantities<dim>::force(const LinearAlgebra::Vector &reaction) const
+  {
+    Tensor<1, dim> sum;
+    for (unsigned int d = 0; d < dim; ++d)
+      for (const auto dof : owned_dofs[d])
+        sum[d] += reaction(dof);
+    return sign * Utilities::MPI::sum(sum, fields.communicator());
+  }
+
+
+
+  template <int dim>
+  double
+  BoundaryQuantities<dim>::displacement(const double time) const
+  {
+    std::map<types::boundary_id, std::vector<const PrescribedComponent<dim> *>>
+      by_boundary;
+    for (const auto &entry : constraints.prescribed_components())
+    {
+      entry.value->set_time(time);
+      by_boundary[entry.boundary].push_back(&entry);
+    }
+    // integral of the magnitude and area per boundary, in the map's order
+    std::vector<double> sums(2 * by_boundary.size(), 0.);
+    FEFaceValues<dim>   face_values(fields.mapping,
+                                  fields.phase_field.get_fe(),
+                                  QGauss<dim - 1>(2),
+                                  update_quadrature_points | update_JxW_values);
+    together(fields.communicator(), [&]() {
+      for (const auto &cell : fields.phase_field.active_cell_iterators())
+        if (cell->is_locally_owned())
+          for (const unsigned int face : cell->face_indices())
+          {
+            if (!cell->face(face)->at_boundary())
+              continue;
+            const auto found =
+              by_boundary.find(cell->face(face)->boundary_id());
+            if (found == by_boundary.end())
+              continue;
+            const auto at = 2 * std::distance(by_boundary.begin(), found);
+            face_values.reinit(cell, face);
+            for (unsigned int q = 0; q < face_values.n_quadrature_points; ++q)
+            {
+              Tensor<1, dim> value;
+              for (const auto *entry : found->second)
+                value[entry->component] = entry->value->value(
+                  face_values.quadrature_point(q), entry->component);
+              sums[at] += value.norm() * face_values.JxW(q);
+              sums[at + 1] += face_values.JxW(q);
+            }
+          }
+    });
+    Utilities::MPI::sum(sums, fields.communicator(), sums);
+    double largest = 0.;
+    for (std::size_t i = 0; i < sums.size(); i += 2)
+      if (sums[i + 1] > 0.)
+        largest = std::max(largest, sums[i] / sums[i + 1]);
+    return std::max(largest, largest_point_displacement(time));
+  }
+
+
+
+  template <int dim>
+  double
+  BoundaryQuantities<dim>::largest_point_displacement(const double time) const
+  {
+    double largest = 0.;
+    for (const auto &entry : constraints.prescribed_points())
+    {
+      Tensor<1, dim> value;
+      for (const auto &other : constraints.prescribed_points())
+        if (other.point == entry.point)
+        {
+          other.value->set_time(time);
+          value[other.component] =
+            other.value->value(other.point, other.component);
+        }
+      largest = std::max(largest, value.norm());
+    }
+    return largest;
+  }
+
+
+
+  template class BoundaryQuantities<2>;
+  template class BoundaryQuantities<3>;
+} // namespace MixedCracks

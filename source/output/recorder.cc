@@ -1,0 +1,300 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include <base/collective.h>
+
+#include <output/quantities.h>
+#include <output/recorder.h>
+
+namespace MixedCracks
+{
+  using namespace dealii;
+
+  namespace
+  {
+    // only such a fall tells that the peak was one
+    constexpr double fall_after_peak = 0.98;
+  } // namespace
+
+
+
+  template <int dim>
+  Recorder<dim>::Recorder(const Fields<dim>          &fields,
+                          const Constraints<dim>     &constraints,
+                          const RecorderOptions<dim> &options)
+    : fields(fields)
+    , options(options)
+    , boundary_quantities(fields, constraints, options.force_boundary)
+    , crack_path_writer(options.output.directory, fields.communicator())
+    , crack_opening(fields, options.crack_opening.lines())
+    , crack_opening_file(options.output.directory,
+                         crack_opening.lines(),
+                         fields.communicator())
+    , point_displacements(fields, options.points.points())
+    , slit_watch(fields)
+    , statistics(fields.communicator())
+    , field_output(fields,
+                   options.output.directory,
+                   options.output.field_format)
+  {}
+
+
+
+  template <int dim>
+  std::vector<std::string>
+  Recorder<dim>::asked_quantities() const
+  {
+    if (options.crack_opening.crack_volume)
+      return {"Output/Crack volume"};
+    return {};
+  }
+
+
+
+  template <int dim>
+  void
+  Recorder<dim>::find_places()
+  {
+    point_displacements.reinit();
+    slit_watch.reinit();
+  }
+
+
+
+  template <int dim>
+  void
+  Recorder<dim>::reinit(Assembler<dim> &present, const double length)
+  {
+    assembler    = &present;
+    length_scale = length;
+    boundary_quantities.reinit();
+    point_displacements.reinit();
+    if (!crack_opening.lines().empty())
+      crack_opening.reinit(options.crack_opening.reach * length_scale);
+  }
+
+
+
+  template <int dim>
+  void
+  Recorder<dim>::open_statistics()
+  {
+    statistics.open(options.output.directory + "/statistics.csv",
+                    dim,
+                    asked_quantities(),
+                    point_displacements.column_names());
+  }
+
+
+
+  template <int dim>
+  void
+  Recorder<dim>::open_crack_files()
+  {
+    crack_path_writer.open(length_scale);
+    crack_opening_file.open();
+  }
+
+
+
+  template <int dim>
+  Tensor<1, dim>
+  Recorder<dim>::force(const State &state) const
+  {
+    return options.thickness * boundary_quantities.force(state.reaction);
+  }
+
+
+
+  template <int dim>
+  StatisticsRow
+  Recorder<dim>::measure(const State      &state,
+                         const double      work,
+                         const StepEffort &effort,
+                         const RunTotals  &piece) const
+  {
+    Measurement<dim> step{fields, state};
+    step.thickness    = options.thickness;
+    step.step         = static_cast<unsigned int>(statistics.rows().size());
+    step.displacement = boundary_quantities.displacement(state.time);
+    step.force        = force(state);
+    step.energies     = assembler->energies(
+      state.elastic, state.lagged_phase_field, state.phase_field);
+    step.external_work = external_work + options.thickness * work;
+    step.effort        = effort;
+    step.totals        = earlier + piece;
+    step.totals.wall_time += wall_clock.wall_time();
+    step.n_refinements      = n_refinements;
+    StatisticsRow row       = evaluate_quantities(step, asked_quantities());
+    row.point_displacements = point_displacements.evaluate(state.elastic);
+    return row;
+  }
+
+
+
+  template <int dim>
+  void
+  Recorder<dim>::record_opening(const StatisticsRow &row, const State &state)
+  {
+    if (!crack_opening.lines().empty())
+      crack_opening_file.add(
+        row.step(),
+        row["time"],
+        crack_opening.evaluate(state.elastic, state.phase_field));
+  }
+
+
+
+  template <int dim>
+  void
+  Recorder<dim>::add(const StatisticsRow &row, const State &state)
+  {
+    external_work = row["external_work"];
+    record_opening(row, state);
+    statistics.add(row);
+  }
+
+
+
+  template <int dim>
+  void
+  Recorder<dim>::keep_peak(const State &state)
+  {
+    if (last().force_size() <= peak_force)
+      return;
+    peak_force = last().force_size();
+    peak_step  = last().step();
+    peak       = state;
+    peak.reaction.clear(); // which is of no use on another mesh
+  }
+
+
+
+  template <int dim>
+  void
+  Recorder<dim>::add_cracks(const std::vector<Crack> &paths)
+  {
+    crack_path_writer.add(
+      last().step(), last()["time"], last()["displacement"], paths);
+  }
+
+
+
+  template <int dim>
+  void
+  Recorder<dim>::write_fields(const State &state, const unsigned int step)
+  {
+    if (!field_output.is_on())
+      return; // stresses of all cells would be evaluated for nothing
+    field_output.write(
+      state,
+      step,
+      assembler
+        ->cell_data(state.elastic, state.lagged_phase_field, state.phase_field)
+        .values);
+  }
+
+
+
+  template <int dim>
+  void
+  Recorder<dim>::write_fields_when_due(const State &state, const bool ends)
+  {
+    const unsigned int every = options.output.fields_every;
+    const bool past_peak = last().force_size() < fall_after_peak * peak_force;
+    if (past_peak && !field_output.has(peak_step))
+      write_fields(peak, peak_step);
+    const unsigned int step = last().step();
+    if (step == 0 || ends || (every > 0 && step % every == 0))
+      write_fields(state, step);
+  }
+
+
+
+  template <int dim>
+  void
+  Recorder<dim>::write_last_fields(const State &state)
+  {
+    if (!field_output.has(peak_step))
+      write_fields(peak, peak_step);
+    if (!field_output.has(last().step()))
+      write_fields(state, last().step());
+  }
+
+
+
+  template <int dim>
+  void
+  Recorder<dim>::save(RunRecord &record)
+  {
+    slit_watch.save(record);
+    record.external_work = external_work;
+    record.peak_step     = peak_step;
+    record.n_refinements = n_refinements;
+    record.rows          = statistics.rows();
+    // the state of the peak is not kept: what shall be seen of it is written
+    if (!field_output.has(peak_step))
+      write_fields(peak, peak_step);
+    record.field_files = field_output.records();
+    record.tables      = {{"crack_path.csv", crack_path_writer.rows()},
+                          {"crack_opening.csv", crack_opening_file.rows()}};
+  }
+
+
+
+  template <int dim>
+  void
+  Recorder<dim>::restore(const RunRecord &record, const State &state)
+  {
+    const auto table = [&record](const std::string &name) {
+      const auto found = record.tables.find(name);
+      return found == record.tables.end() ? "" : found->second;
+    };
+    external_work = record.external_work;
+    peak_force    = record.peak_force;
+    peak_step     = record.peak_step;
+    peak          = state;
+    peak.reaction.clear();
+    n_refinements = record.n_refinements;
+    earlier       = record.totals;
+    statistics.restore(record.rows);
+    slit_watch.restore(record);
+    crack_path_writer.restore(length_scale, table("crack_path.csv"));
+    crack_opening_file.restore(table("crack_opening.csv"));
+    field_output.restore(record.field_files);
+    // a run without fields kept nothing of its peak, and this state is another
+    if (peak_step < record.rows.back().step())
+      field_output.leave_out(peak_step);
+  }
+
+
+
+  template <int dim>
+  RunTotals
+  Recorder<dim>::totals(const RunTotals &piece, const TimerOutput &timer) const
+  {
+    RunTotals now = piece;
+    now.wall_time = wall_clock.wall_time();
+    for (const auto &[name, seconds] :
+         timer.get_summary_data(TimerOutput::total_wall_time))
+      now.phases[name] = Utilities::MPI::max(seconds, fields.communicator());
+    return earlier + now;
+  }
+
+
+
+  template <int dim>
+  void
+  Recorder<dim>::finish(const Summary &summary)
+  {
+    crack_path_writer.finish(summary.cracks);
+    std::string message;
+    if (Utilities::MPI::this_mpi_process(fields.communicator()) == 0)
+      message = write_summary(
+        options.output.directory + "/summary.json", summary, statistics.rows());
+    throw_on_all_ranks(message, fields.communicator());
+  }
+
+
+
+  template class Recorder<2>;
+  template class Recorder<3>;
+} // namespace MixedCracks

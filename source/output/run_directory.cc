@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include <base/collective.h>
+
+#include <output/run_directory.h>
+
+#include <fstream>
+
+namespace MixedCracks
+{
+  namespace
+  {
+    // bytes: the header of statistics.csv, points of the user's own included
+    constexpr std::uint64_t room_for_first_rows = 4096;
+  } // namespace
+
+
+
+  RunDirectory::RunDirectory(const OutputParameters &parameters,
+                             const std::string      &effective,
+                             const MPI_Comm          communicator,
+                             Log                    &log)
+    : directory(parameters.directory)
+    , effective_parameters(effective)
+    , communicator(communicator)
+    , log(log)
+  {}
+
+
+
+  bool
+  RunDirectory::inspect(const ExistingRun               existing,
+                        const std::vector<std::string> &to_be_written)
+  {
+    waiting = existing;
+    names   = to_be_written;
+    return inspect_output_directory(directory, existing, names, communicator);
+  }
+
+
+
+  bool
+  RunDirectory::open()
+  {
+    if (!waiting)
+      return false;
+    const ExistingRun existing = *waiting;
+    waiting.reset();
+    prepare_output_directory(directory,
+                             existing,
+                             names,
+                             {{"parameters.prm", effective_parameters.size()},
+                              {"log.txt", log.size_until_open()},
+                              {"statistics.csv", room_for_first_rows}},
+                             communicator);
+    log.open(directory + "/log.txt", existing == ExistingRun::resume);
+    throw_on_all_ranks(log.failure(), communicator);
+    std::string message;
+    if (dealii::Utilities::MPI::this_mpi_process(communicator) == 0)
+    {
+      std::ofstream file(directory + "/parameters.prm");
+      file << effective_parameters << std::flush;
+      if (!file)
+        message = "Output/Directory: '" + directory +
+                  "/parameters.prm' cannot be written.";
+    }
+    throw_on_all_ranks(message, communicator);
+    return true;
+  }
+
+
+
+  std::vector<std::string>
+  files_of_run(const int               dim,
+               const OutputParameters &parameters,
+               const bool              with_crack_openings)
+  {
+    const std::string        format = parameters.field_format;
+    std::vector<std::string> names  = {"log.txt",
+                                       "statistics.csv",
+                                       "parameters.prm",
+                                       "summary.json",
+                                       "summary.json.part",
+                                       "checkpoint/",
+                                       "checkpoint/generation-0/",
+                                       "checkpoint/generation-1/"};
+    const auto               add = [&names](const bool                      is_written,
+                              const std::vector<std::string> &more) {
+      if (is_written)
+        names.insert(names.end(), more.begin(), more.end());
+    };
+    add(dim == 2, {"crack_path.csv", "crack_path.pvd", "crack_path/"});
+    add(with_crack_openings, {"crack_opening.csv"});
+    add(parameters.with_fields(), {"fields/"});
+    add(format == "VTU" || format == "both", {"fields.pvd", "fields.pvd.part"});
+    add(format == "XDMF" || format == "both",
+        {"fields.xdmf", "fields.xdmf.part"});
+    add(dim == 3 && parameters.with_fields(), {"crack_surface.pvd"});
+    return names;
+  }
+} // namespace MixedCracks

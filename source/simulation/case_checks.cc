@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include <base/errors.h>
+#include <base/names.h>
+
+#include <discretization/free_motions.h>
+
+#include <simulation/case_checks.h>
+
+namespace MixedCracks
+{
+  using namespace dealii;
+
+  template <int dim>
+  void
+  require_held_body(const Triangulation<dim> &triangulation,
+                    const Constraints<dim>   &constraints)
+  {
+    const std::vector<std::string> motions =
+      free_rigid_motions(triangulation,
+                         constraints.prescribed_components(),
+                         constraints.prescribed_points());
+    if (!motions.empty())
+      throw InputError(
+        "Boundary conditions/Displacement, with Displacement at points, leaves "
+        "rigid motions free: " +
+        join_names(motions, "; ") +
+        ". Allowed are conditions that prevent all of them.");
+  }
+
+
+
+  template <int dim>
+  void
+  require_solver_for_stiffness(const Parameters<dim>     &parameters,
+                               const MaterialDescription &material)
+  {
+    if (material.residual_stiffness == 0. &&
+        parameters.solver.name == "block AMG")
+      throw InputError("Linear solver/Name: found 'block AMG' with "
+                       "Model/Residual stiffness = " +
+                       parameters.model.residual_stiffness +
+                       ", which is 0: broken cells then have no stiffness, and "
+                       "multigrid needs some. Allowed are direct, auto, or a "
+                       "residual stiffness above 0.");
+  }
+
+
+
+  SolverParameters
+  solver_for_stiffness(const SolverParameters    &given,
+                       const MaterialDescription &material)
+  {
+    SolverParameters result = given;
+    if (material.residual_stiffness == 0. && result.name == "auto")
+      result.name = "direct";
+    return result;
+  }
+
+
+
+  std::string
+  hint_at_no_stiffness(const MaterialDescription &material)
+  {
+    if (material.residual_stiffness > 0.)
+      return "";
+    return "; Model/Residual stiffness (kappa) is 0, so that broken cells have "
+           "no stiffness and the matrix may be singular: try a small one";
+  }
+
+
+
+#define INSTANTIATE(dim)                                              \
+  template void require_held_body(const Triangulation<dim> &,         \
+                                  const Constraints<dim> &);          \
+  template void require_solver_for_stiffness(const Parameters<dim> &, \
+                                             const MaterialDescription &);
+  INSTANTIATE(2)
+  INSTANTIATE(3)
+#undef INSTANTIATE
+} // namespace MixedCracks

@@ -1,0 +1,171 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include <base/errors.h>
+
+#include <simulation/case_checks.h>
+#include <simulation/load_step.h>
+#include <simulation/simulation_setup.h>
+
+namespace MixedCracks
+{
+  using namespace dealii;
+
+  namespace
+  {
+    // mean phase field of a cell that carries with its residual stiffness only
+    constexpr double broken = 0.1;
+
+    template <int dim>
+    Loads<dim>
+    loads_on(const Body<dim> &body, std::shared_ptr<FluidAssembler<dim>> fluid)
+    {
+      Loads<dim> loads = make_loads(
+        body.parameters, body.fields.elastic.get_fe().n_components());
+      loads.fluid = std::move(fluid);
+      return loads;
+    }
+  } // namespace
+
+
+
+  template <int dim>
+  LoadStep<dim>::LoadStep(const Body<dim> &body,
+                          const StopCheck &stop,
+                          const Callbacks &callbacks,
+                          TimerOutput     &timer,
+                          Log             &log)
+    : LoadStep(body,
+               stop,
+               callbacks,
+               timer,
+               log,
+               make_fluid(body.parameters, body.fields))
+  {}
+
+
+
+  template <int dim>
+  LoadStep<dim>::LoadStep(const Body<dim>                     &body,
+                          const StopCheck                     &stop,
+                          const Callbacks                     &callbacks,
+                          TimerOutput                         &timer,
+                          Log                                 &log,
+                          std::shared_ptr<FluidAssembler<dim>> fluid)
+    : assembler(body.fields,
+                *body.material,
+                constants_function(body.parameters.model, *body.material_field))
+    , elastic(body.fields,
+              body.constraints,
+              assembler,
+              loads_on(body, fluid),
+              timer,
+              solver_for_stiffness(body.parameters.solver,
+                                   body.material->description()),
+              stop)
+    , body(body)
+    , phase_field(body.fields,
+                  body.constraints,
+                  *body.material,
+                  assembler,
+                  fluid,
+                  timer,
+                  stop)
+    , solver(elastic,
+             phase_field,
+             body.parameters.coupling.options(),
+             body.parameters.solver.newton,
+             callbacks,
+             body.communicator(),
+             log)
+  {}
+
+
+
+  template <int dim>
+  void
+  LoadStep<dim>::reinit()
+  {
+    const LinearOutcome analysis = elastic.reinit();
+    if (!analysis.success)
+      throw SolverError(analysis.reason);
+    phase_field.reinit();
+    fixed.frozen = unbreakable_nodes(body.parameters, body.fields);
+  }
+
+
+
+  template <int dim>
+  StepOutcome
+  LoadStep<dim>::solve(const State       &accepted,
+                       const double       bound,
+                       const StepOutcome &so_far,
+                       State             &trial)
+  {
+    fixed.prescribed =
+      prescribed_phase_field(body.parameters, body.fields, trial.time);
+    return solver.solve(accepted, fixed, bound, so_far, trial);
+  }
+
+
+
+  template <int dim>
+  RunTotals
+  LoadStep<dim>::totals(const unsigned int n_rejected) const
+  {
+    RunTotals now;
+    now.factorizations = elastic.counts().factorizations;
+    now.solves         = elastic.counts().solves;
+    now.rejected_steps = n_rejected;
+    return now;
+  }
+
+
+
+  template <int dim>
+  double
+  LoadStep<dim>::broken_part_of_energy(const State &state)
+  {
+    const auto data = assembler.cell_data(
+      state.elastic, state.lagged_phase_field, state.phase_field);
+    const Vector<float> &density = data.values.at("strain_energy_density");
+    std::vector<double>  sums(2, 0.); // all, broken
+    for (const auto &cell : body.fields.phase_field.active_cell_iterators())
+    {
+      if (!cell->is_locally_owned())
+        continue;
+      const double energy =
+        density(cell->active_cell_index()) * cell->measure();
+      double mean = 0.;
+      for (const unsigned int v : cell->vertex_indices())
+        mean +=
+          state.phase_field(cell->vertex_dof_index(v, 0)) / cell->n_vertices();
+      sums[0] += energy;
+      if (mean < broken)
+        sums[1] += energy;
+    }
+    Utilities::MPI::sum(sums, body.communicator(), sums);
+    return sums[0] > 0. ? sums[1] / sums[0] : 0.;
+  }
+
+
+
+  // A body that dead loads have torn apart is in equilibrium by its residual
+  // stiffness only: what the loads store is stored in broken material. Where
+  // prescribed displacements hold the parts, the loads store little of it.
+  template <int dim>
+  bool
+  LoadStep<dim>::loads_are_carried(const State &state,
+                                   const double stored_energy)
+  {
+    if (!elastic.has_dead_loads())
+      return true;
+    const double by_loads =
+      0.5 * body.parameters.thickness_factor() * elastic.work_of_loads(state);
+    return !(by_loads > 0.5 * stored_energy) ||
+           broken_part_of_energy(state) < 0.5;
+  }
+
+
+
+  template class LoadStep<2>;
+  template class LoadStep<3>;
+} // namespace MixedCracks

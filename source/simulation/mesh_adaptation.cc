@@ -1,0 +1,142 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include <simulation/mesh_adaptation.h>
+#include <simulation/simulation_setup.h>
+
+namespace MixedCracks
+{
+  using namespace dealii;
+
+  namespace
+  {
+    bool
+    is_in_load_step(const State &trial)
+    {
+      return trial.time_step > 0.;
+    }
+
+
+
+    void
+    collect(State                                &state,
+            std::vector<LinearAlgebra::Vector *> &elastic,
+            std::vector<LinearAlgebra::Vector *> &phase_field)
+    {
+      // the peak has no state before the first step is accepted
+      if (state.elastic.size() == 0)
+        return;
+      for (LinearAlgebra::Vector *field : fields_on(StateDofs::elastic, state))
+        elastic.push_back(field);
+      for (LinearAlgebra::Vector *field :
+           fields_on(StateDofs::phase_field, state))
+        phase_field.push_back(field);
+    }
+  } // namespace
+
+
+
+  template <int dim>
+  MeshAdaptation<dim>::MeshAdaptation(Body<dim> &body)
+    : body(body)
+  {}
+
+
+
+  template <int dim>
+  AdaptationRule
+  MeshAdaptation<dim>::rule(const bool in_load_step) const
+  {
+    const MeshParameters<dim> &mesh   = body.parameters.mesh;
+    const double               length = body.length_scale();
+    AdaptationRule             result;
+    result.threshold    = mesh.phase_field_threshold;
+    result.finest_level = mesh.finest_adaptive_level();
+    result.margin       = mesh.refinement_margin * length;
+    // no crack runs before the first load step; fronts in 3-d have no tips
+    if (dim == 2 && in_load_step)
+      result.lookahead = mesh.refinement_lookahead * length;
+    if (in_load_step)
+      result.kept_margin = mesh.coarsening_margin * length;
+    return result;
+  }
+
+
+
+  template <int dim>
+  bool
+  MeshAdaptation<dim>::needs_finer_mesh(const State &trial) const
+  {
+    return body.parameters.mesh.adaptation != "none" &&
+           !places_to_refine(
+              body.fields, trial.phase_field, rule(is_in_load_step(trial)))
+              .empty();
+  }
+
+
+
+  template <int dim>
+  void
+  MeshAdaptation<dim>::refine_first_mesh(
+    const std::function<void()> &ask_to_stop)
+  {
+    // the initial phase field is set anew on each mesh: interpolated, it would
+    // be damaged over the width of a coarse cell
+    const Fields<dim> &fields = body.fields;
+    while (true)
+    {
+      ask_to_stop();
+      const LinearAlgebra::Vector start =
+        initial_phase_field(body.parameters, fields, body.constraints);
+      State state;
+      state.phase_field = fields.ghosted_vector(fields.phase_field_dofs);
+      state.phase_field = start;
+      if (!needs_finer_mesh(state))
+        return;
+      const AdaptationRule now = rule(false);
+      if (!flag_cells_near(places_to_refine(fields, state.phase_field, now),
+                           now,
+                           body.triangulation))
+        return;
+      refine_and_transfer(
+        body.triangulation, body.fields, body.constraints, {}, {});
+    }
+  }
+
+
+
+  template <int dim>
+  void
+  MeshAdaptation<dim>::refine(const State                &trial,
+                              const std::vector<State *> &states)
+  {
+    const Parameters<dim>       &parameters = body.parameters;
+    const AdaptationRule         now        = rule(is_in_load_step(trial));
+    const RefinementRegions<dim> regions =
+      now.coarsens() ? refined_regions(parameters, body.triangulation)
+                     : RefinementRegions<dim>();
+    const RefinedAtStart<dim> was_refined = [&](const auto &cell) {
+      return is_refined<dim>(cell, parameters.mesh.global_refinements, regions);
+    };
+    const AdaptationPlaces<dim> places =
+      places_to_refine(body.fields, trial.phase_field, now);
+    // a round adds one level
+    while (flag_cells_near(places, now, body.triangulation))
+    {
+      if (now.coarsens())
+        flag_cells_to_coarsen(
+          places, now, was_refined, body.fields, trial.phase_field);
+      std::vector<LinearAlgebra::Vector *> elastic, phase_field;
+      for (State *state : states)
+        collect(*state, elastic, phase_field);
+      refine_and_transfer(body.triangulation,
+                          body.fields,
+                          body.constraints,
+                          elastic,
+                          phase_field);
+    }
+  }
+
+
+
+  template class MeshAdaptation<2>;
+  template class MeshAdaptation<3>;
+} // namespace MixedCracks

@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include <output/run_directory.h>
+
+#include <simulation/recording.h>
+
+#include <cmath>
+
+namespace MixedCracks
+{
+  template <int dim>
+  RecorderOptions<dim>
+  recorder_options(const Parameters<dim> &parameters)
+  {
+    RecorderOptions<dim> options{parameters.output,
+                                 parameters.crack_opening,
+                                 parameters.point_displacements,
+                                 parameters.thickness_factor(),
+                                 {}};
+    const std::string    boundary = parameters.force_boundary();
+    if (!boundary.empty())
+      options.force_boundary =
+        parameters.geometry.chosen().boundary_ids().at(boundary);
+    return options;
+  }
+
+
+
+  template <int dim>
+  RunLogOptions
+  run_log_options(const Parameters<dim> &parameters)
+  {
+    RunLogOptions options;
+    options.end_time  = parameters.load.end_time;
+    options.is_lagged = parameters.coupling.kind != "iterated";
+    return options;
+  }
+
+
+
+  // The least energy: next to nothing of what a crack as long as l costs.
+  template <int dim>
+  ImbalanceRule
+  imbalance_rule(const Body<dim> &body)
+  {
+    constexpr double       next_to_nothing = 1e-10;
+    const Parameters<dim> &parameters      = body.parameters;
+    return {parameters.output.energy_imbalance_tolerance,
+            parameters.change_where_a_crack_ran(),
+            next_to_nothing * body.material_range.toughness.smallest *
+              std::pow(body.length_scale(), dim - 1) *
+              parameters.thickness_factor()};
+  }
+
+
+
+  template <int dim>
+  std::vector<std::string>
+  files_of_run(const Parameters<dim> &parameters)
+  {
+    return MixedCracks::files_of_run(
+      dim, parameters.output, !parameters.crack_opening.lines().empty());
+  }
+
+
+
+#define INSTANTIATE(dim)                                                       \
+  template RecorderOptions<dim>     recorder_options(const Parameters<dim> &); \
+  template RunLogOptions            run_log_options(const Parameters<dim> &);  \
+  template ImbalanceRule            imbalance_rule(const Body<dim> &);         \
+  template std::vector<std::string> files_of_run(const Parameters<dim> &);
+  INSTANTIATE(2)
+  INSTANTIATE(3)
+#undef INSTANTIATE
+} // namespace MixedCracks

@@ -1,0 +1,161 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include <simulation/run_archive.h>
+
+namespace MixedCracks
+{
+  template <int dim>
+  RunArchive<dim>::RunArchive(const CaseSignature &signature,
+                              Body<dim>           &body,
+                              CrackObserver<dim>  &crack_observer,
+                              LoadControl         &load_control,
+                              Recorder<dim>       &recorder,
+                              RunStop             &stop,
+                              dealii::TimerOutput &timer,
+                              Log                 &log)
+    : signature(signature)
+    , body(body)
+    , crack_observer(crack_observer)
+    , load_control(load_control)
+    , recorder(recorder)
+    , stop(stop)
+    , timer(timer)
+    , log(log)
+    , checkpoint(body.parameters.output.directory, body.communicator())
+  {}
+
+
+
+  template <int dim>
+  void
+  RunArchive<dim>::read()
+  {
+    resumed                    = checkpoint.read();
+    const std::string fallback = fallback_in_words(checkpoint.found());
+    if (has_damage(checkpoint.found()))
+      damage = fallback; // logged with the other warnings
+    else if (!fallback.empty())
+      log.line(fallback);
+    mend_case();
+  }
+
+
+
+  template <int dim>
+  void
+  RunArchive<dim>::mend_case()
+  {
+    const std::string mended = require_same_case(
+      resumed->signature,
+      signature.problem,
+      resumed->end == RunEnd::refused ? resumed->why_failed : "");
+    if (!mended.empty())
+      resumed->changed_loads.push_back(
+        printed("the loads before t = %.6g s are those of another expression: ",
+                resumed->time) +
+        mended);
+  }
+
+
+
+  template <int dim>
+  std::vector<std::string>
+  RunArchive<dim>::warnings() const
+  {
+    std::vector<std::string> result;
+    if (!damage.empty())
+      result.push_back(damage);
+    if (resumed)
+      result.insert(result.end(),
+                    resumed->changed_loads.begin(),
+                    resumed->changed_loads.end());
+    return result;
+  }
+
+
+
+  template <int dim>
+  void
+  RunArchive<dim>::restore_body()
+  {
+    body.restore(checkpoint, resumed->cell_size);
+  }
+
+
+
+  template <int dim>
+  State
+  RunArchive<dim>::load_state()
+  {
+    State state;
+    checkpoint.load_fields(body.fields, body.triangulation, state);
+    state.time      = resumed->time;
+    state.time_step = resumed->time_step;
+    state.damage_origins =
+      crack_observer.resumed_origins(resumed->nuclei, state.phase_field);
+    load_control.restore(resumed->time,
+                         resumed->next_step,
+                         resumed->peak_force,
+                         resumed->steps_to_wait);
+    return state;
+  }
+
+
+
+  template <int dim>
+  void
+  RunArchive<dim>::restore_records(const State &state)
+  {
+    recorder.restore(*resumed, state);
+    log.line(printed("resumed at step %u", recorder.last().step()));
+  }
+
+
+
+  template <int dim>
+  RunEnding
+  RunArchive<dim>::ending(const State &state)
+  {
+    return ending_of_resumed_run(
+      *resumed,
+      signature.attempt,
+      body.parameters.load,
+      [&]() { return crack_observer.trace(state).separate_body; },
+      load_control,
+      log);
+  }
+
+
+
+  template <int dim>
+  void
+  RunArchive<dim>::write(const State     &state,
+                         const RunEnding &ending,
+                         const RunTotals &cost)
+  {
+    dealii::TimerOutput::Scope scope(timer, "output");
+    const double               begin = stop.clock();
+    RunRecord                  record;
+    record.signature     = signature.problem;
+    record.attempt       = signature.attempt;
+    record.end           = ending.end;
+    record.why_failed    = ending.why_failed;
+    record.cell_size     = body.cell_size;
+    record.time          = state.time;
+    record.time_step     = state.time_step;
+    record.nuclei        = state.damage_origins.nuclei;
+    record.next_step     = load_control.natural_step();
+    record.peak_force    = load_control.peak_force();
+    record.steps_to_wait = load_control.steps_to_wait();
+    record.totals        = cost;
+    if (resumed)
+      record.changed_loads = resumed->changed_loads;
+    recorder.save(record);
+    checkpoint.write(record, state, body.fields, body.triangulation);
+    stop.note_checkpoint(begin);
+  }
+
+
+
+  template class RunArchive<2>;
+  template class RunArchive<3>;
+} // namespace MixedCracks
