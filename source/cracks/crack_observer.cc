@@ -1,4 +1,15 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
+// From distributed fields to what rank 0 traces. Tracing is about whole bands,
+// and only a few cells are damaged: those with a node below 0.9 are sent to
+// rank 0, 12 numbers each (four vertices x, y and their phi), and the verdict
+// on the body comes back, one number.
+//
+// Whether nodes have broken is asked in every iteration of a step: one
+// reduction when there are none, and an exchange of points only when there are.
+// Points are sorted by x, y before they are used, since clusters that are built
+// up one by one depend on the order (damage_origins.cc), and the order of
+// gathered points on the number of ranks.
+
 #include <cracks/crack_observer.h>
 #include <cracks/damage_origins.h>
 
@@ -13,7 +24,9 @@ namespace MixedCracks
 
   namespace
   {
-    // a node is broken below this
+    // a node is broken below this: half a cell of l/2 beside a crack phi is
+    // sin(1/4) = 0.25 with Wu's density, so that a crack between two rows of
+    // nodes has broken ones
     constexpr double broken = 0.3;
     // cells without a node below this are of no interest for paths
     constexpr double damaged = 0.9;

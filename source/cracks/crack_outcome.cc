@@ -1,4 +1,21 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
+// What the cracks have done to the body. Cracks are joined to groups: a branch
+// with the crack it leaves; with 'by hole' also all that end on the hole. A
+// group connects when its ends on the boundary, those on the hole left out,
+// have two different names, of which one is a side. The first answer that
+// holds:
+//
+//   no cracks                             none
+//   a group connects without the hole     below or above the hole: the side of
+//                                         its center where the group crosses
+//                                         x = x_center (both, none: other)
+//   a group connects by way of the hole   through
+//   otherwise                             arrested
+//
+// Without the hole first: a crack that passes a hole has cut the body even
+// where others have reached the hole. Two ends on one side do not separate: a
+// piece that spalls off there leaves the rest whole.
+
 #include <cracks/crack_outcome.h>
 #include <cracks/crack_path_parts.h>
 
@@ -50,8 +67,9 @@ namespace MixedCracks
 
 
 
-    // cracks that are joined: branches to what they leave, and with
-    // @p by_hole all that end on the hole
+    // Connected components by relabelling: cracks are few. A branch belongs to
+    // every crack within l of its first point: it was joined to the core of its
+    // parent, before that was prolonged and resampled.
     std::vector<Group>
     groups_of(const std::vector<Crack> &cracks,
               const double              length_scale,
@@ -110,6 +128,9 @@ namespace MixedCracks
       Point<2>    center;
     };
 
+    // Its center is the mean over its edges by length, sum L_e m_e / sum L_e
+    // with the midpoints m_e, so that the graded edges of a refined rim do not
+    // move it.
     Hole
     find_hole(const std::vector<BoundaryEdge> &edges)
     {
@@ -131,7 +152,9 @@ namespace MixedCracks
 
 
 
-    // where the cracks pass the vertical line through the center
+    // Where the cracks cross the vertical line x = x_center. Segments count
+    // with one of their ends, so that a vertex on the line is one crossing, not
+    // two.
     Outcome::Way
     way_past(const std::vector<Crack> &cracks,
              const Group              &group,
@@ -217,6 +240,13 @@ namespace MixedCracks
 
 
 
+    // The place that the cracks came from, in this order:
+    //
+    //   the end of the crack at the first nucleus on the group (within 3 l)
+    //   without a nucleus: a notch; else the start of the longest crack
+    //
+    // as "interior", a corner within 3 l, the name of the boundary, or
+    // "elsewhere".
     std::string
     start_of(const std::vector<Crack>        &cracks,
              const Group                     &group,

@@ -1,4 +1,22 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
+// Cracks as polylines, from nodal values of phi on the damaged cells. l: length
+// scale, h: median size of the broken cells; in brackets the CrackPathOptions.
+//
+//   1. graph       nodes with phi < 0.5 [connected] off the rim of the body,
+//                  joined within cells
+//   2. paths       in each component the longest of the cheapest ways between
+//                  broken nodes, phi < 0.3, then branches  crack_path_graph.cc
+//   3. core        less h at both ends; moved to the mean of (1 - phi)^4 across
+//                  the path, and smooth                 crack_path_centring.cc
+//   4. parts       without what follows the boundary         crack_path_ends.cc
+//   5. ends        at a notch, a parent, the boundary, or 0.6 l [tip_lag]
+//                  behind phi = 0.5                          crack_path_ends.cc
+//   6. start, length (sum of chords of at most h), kink angle, duplicates
+//
+// A contour of phi would have two sides and go around the tips; thinning a band
+// to a skeleton needs a regular grid and leaves a spur at each ragged edge, to
+// be told from branches. A cheapest way has neither, and takes hanging nodes.
+
 #include <cracks/crack_path.h>
 #include <cracks/crack_path_parts.h>
 
@@ -23,7 +41,13 @@ namespace MixedCracks
 
 
 
-    // how much an end looks like a start; the larger one wins
+    // Which end is the start; the larger claim wins, then the smaller x, y:
+    //
+    //   on another crack 8, at a notch 6, on the boundary 2 (+ 1), tip 0 (+ 1)
+    //
+    // with + 1 for a nucleus within 3 l: where damage came first decides
+    // between ends of a kind, but a tip with a nucleus does not outrank the
+    // boundary.
     int
     claim(const CrackPathProblem &problem,
           const CrackEnd         &end,
@@ -56,6 +80,7 @@ namespace MixedCracks
 
 
 
+    // Damage began on the path, but at neither end of it.
     bool
     is_from_interior(const CrackPathProblem &problem, const Crack &crack)
     {
@@ -72,6 +97,13 @@ namespace MixedCracks
 
 
 
+    // From the reference r (where the notch points, or else the inward normal)
+    // to the chord c from the start to the point 3 l along the path,
+    //
+    //   theta = atan2(r x c, r . c),   degrees, positive to the left of r.
+    //
+    // The first l of a path is prolonged rather than seen: a tangent at the
+    // start would be that of the prolongation.
     double
     kink_angle(const CrackPathProblem &problem, const Crack &crack)
     {
@@ -100,7 +132,8 @@ namespace MixedCracks
 
 
 
-    // the center line of a path along nodes, without its uncertain ends
+    // The center line of a path along nodes. Its ends, the last broken nodes,
+    // lie anywhere across the band: h is taken off both of them.
     Polyline
     core_of(const CrackPathProblem &problem, const NodePath &path)
     {
@@ -146,7 +179,8 @@ namespace MixedCracks
 
 
 
-    // most of it has been found before
+    // More than half of its points lie within max(l/2, h) of cracks found
+    // before: two ways along one wide band are centred to the same line.
     bool
     is_known(const CrackPathProblem   &problem,
              const Crack              &crack,
@@ -189,6 +223,8 @@ namespace MixedCracks
       const Polyline *parent    = is_branch && !cores[path.parent].empty()
                                     ? &cores[path.parent]
                                     : nullptr;
+      // the first part alone joins the parent: what lies beyond a stretch along
+      // the boundary is a crack of its own
       for (const Polyline &part : parts_off_the_rim(problem, cores.back()))
       {
         const Crack crack = make_crack(problem, part, parent);

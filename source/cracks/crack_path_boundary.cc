@@ -1,4 +1,15 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
+// The boundary as straight edges, and what is asked of it. a x b is the area
+// spanned by two vectors of the plane.
+//
+//   nearest     s = (p - a) . (b - a) / |b - a|^2 within [0, 1]: a + s (b - a)
+//   first met   f + s w = a + t (b - a),  w the way from f, g = a - f:
+//               s = g x (b - a) / w x (b - a),   t = g x w / w x (b - a),
+//               the smallest s in [0, 1] with t in [0, 1] up to 1e-6, so that
+//               no way slips through between two edges. Edges along the way
+//               are left out: it meets their neighbours.
+//   tip         of a notch: a vertex which all notch edges leave to one side
+
 #include <base/plane.h>
 
 #include <cracks/crack_path_boundary.h>
@@ -70,8 +81,12 @@ namespace MixedCracks
 
 
 
-  // A tip of a slit or of a sharp notch: all edges leave it to one side. Where
-  // the notch begins is none.
+  // A tip of a slit or of a sharp notch: with unit vectors e_k along the notch
+  // edges that leave a vertex and their sum m, e_k . m > 0.7 |m| for all of
+  // them, that is all within 45 degrees of m. A slit has two that coincide, a
+  // V-notch two with up to 90 degrees between them; along a flank they are
+  // opposite, m = 0, and the test fails. The notch points along -m. Its mouth,
+  // on the rest of the boundary, has one edge only and is left out first.
   void
   BodyBoundary::find_notch_tips()
   {
@@ -110,8 +125,11 @@ namespace MixedCracks
 
 
 
-  // The far end of a notch that is wide there: what lies less than half its
-  // mouth behind the farthest point.
+  // A notch without a sharp tip, with a mouth of width w: its axis leads from
+  // the middle of the mouth to the vertex farthest from it, and its tip is the
+  // mean, by length, of the edges less than w/2 behind that vertex. Any place
+  // within 0.75 w of it counts as at the tip: the ends of a semicircle of
+  // diameter w lie 0.59 w from its centroid.
   void
   BodyBoundary::find_blunt_tip(const std::vector<Point<2>> &mouth)
   {

@@ -1,5 +1,21 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Paths moved into the middle of the damage.
+// Paths moved into the middle of the damage. Six times, for points x_i at equal
+// distances of about h, with the normal n_i of the path:
+//
+//   x_i <- S(x)_i + d_i n_i,   d = integral of t w(t) / integral of w(t),
+//   w(t) = (1 - phi(x + t n))^4,   |t| <= width,
+//
+// S the smoothing below. The mean rather than the minimum: phi is bilinear in
+// cells, so that its minimum lies on nodes, and on the plateau of a band that
+// is broken two nodes wide it is not unique. The fourth power, exp(-4 |t|/l)
+// for AT2, leaves little weight to the flanks, which neighbours and rims
+// distort.
+//
+// S is the local least-squares parabola (Savitzky and Golay, Anal. Chem. 36
+// (1964)) over points within 1.5 l, at least 3 to each side. It reproduces
+// parabolas, where a moving average over +-r would pull an arc of curvature k
+// inwards by about k r^2/6 each time.
+
 #include <cracks/crack_path_parts.h>
 
 #include <algorithm>
@@ -42,6 +58,8 @@ namespace MixedCracks
 
 
 
+  // At k L/n, k = 0 ... n, of the arc length L, with n = ceil(L / spacing) >=
+  // 2.
   Polyline
   resampled(const Polyline &points, const double spacing)
   {
@@ -95,7 +113,10 @@ namespace MixedCracks
 
   namespace
   {
-    // how far the damage on both sides of a path is its own
+    // How far the damage on both sides of a path is its own: 1.5 max(l, h), the
+    // way to the boundary along the normal, half the way to a flank of a notch
+    // (where x + t n is nearer to the flank than to x). The same on both sides:
+    // a window with one side cut off would move the mean to the other.
     double
     half_width(const CrackPathProblem &problem,
                const Point<2>         &point,
@@ -130,8 +151,16 @@ namespace MixedCracks
 
 
 
-    // the value at 0 of the parabola through values at equal distances, by
-    // least squares; the first of them is at @p first
+    // The c_0 that minimises sum_k (c_0 + c_1 s_k + c_2 s_k^2 - x_k)^2 at s_k =
+    // first, first + 1, ... With m_p = sum s^p and r_p = sum s^p x, by Cramer's
+    // rule,
+    //
+    //   | m_0 m_1 m_2 |         a r_0 + b r_1 + c r_2    a = m_2 m_4 - m_3^2
+    //   | m_1 m_2 m_3 |,  c_0 = ---------------------,   b = m_2 m_3 - m_1 m_4
+    //   | m_2 m_3 m_4 |         a m_0 + b m_1 + c m_2    c = m_1 m_3 - m_2^2.
+    //
+    // Near the ends of a path the window has one side only, and 0 is at its
+    // end.
     template <typename Values>
     Point<2>
     parabola_at_zero(const Values &values, const int first)
@@ -157,8 +186,8 @@ namespace MixedCracks
 
 
 
-    // every point replaced by the parabola through it and its neighbours
-    // within 1.5 l, which does not shrink curves
+    // Each point replaced by the parabola through it and its neighbours within
+    // 1.5 l.
     Polyline
     smoothed(const CrackPathProblem &problem, const Polyline &points)
     {

@@ -1,5 +1,19 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// The ends of paths: at boundaries, at tips, at other cracks.
+// The ends of a path, which after centring has lost its last h and is not known
+// within l of the boundary. In this order:
+//
+//   1. a sharp notch tip nearby        a straight line to it
+//   2. go on along the damage          boundary met: end there
+//   3. phi = 0.5 on the prolonged path, by bisection
+//   4. boundary within max(1.5 l [reach], 2 h) - 0.6 l of that    end there
+//   5. otherwise a tip                 cut back by 0.6 l [tip_lag]
+//
+// Ahead of a tip phi rises as across the crack: with the optimal profiles of
+// doc/model.md it is 0.5 at asin(1/2) l = 0.52 l (Wu), (2 - sqrt 2) l = 0.59 l
+// (AT1), log(2) l = 0.69 l (AT2) from the crack. 0.6 l stands for all of them.
+// The level 0.5 is where phi is steep, so that its place depends on the mesh
+// least.
+
 #include <cracks/crack_path_parts.h>
 
 #include <algorithm>
@@ -25,7 +39,9 @@ namespace MixedCracks
 
 
 
-    // along damage at the boundary, which it follows
+    // Within 1.75 max(l, h) of the boundary, at less than some 45 degrees to
+    // it, and broken half way to it: damage of the rim, not a crack that comes
+    // near.
     bool
     follows_boundary(const CrackPathProblem &problem,
                      const Point<2>         &point,
@@ -44,8 +60,11 @@ namespace MixedCracks
 
 
 
-    // Go on along the damage until the boundary is met, the phase field has
-    // passed 0.5, or for too long. Returns where the boundary is met.
+    // Steps of h/2 along the chord of the last max(l, 2 h), each moved to the
+    // middle of the damage by no more than half a step, until the boundary is
+    // met, phi has reached 0.5, or after 10 l. Closer than l/2 to the boundary
+    // the damage is not symmetric about the crack, and the steps are not
+    // corrected. Returns where the boundary is met.
     BoundaryPlace
     advance(const CrackPathProblem &problem, Polyline &points)
     {
@@ -96,8 +115,8 @@ namespace MixedCracks
 
 
 
-    // The boundary within reach of the last point: straight ahead, or beside
-    // a path that hardly comes nearer.
+    // The boundary within reach of the last point: straight ahead, or, for a
+    // path that hardly comes nearer, within half of that to the side.
     BoundaryPlace
     place_ahead(const CrackPathProblem &problem,
                 const Polyline         &points,
@@ -114,8 +133,9 @@ namespace MixedCracks
 
 
 
-    // Lead the path straight to the tip of a notch: close to it, the profile of
-    // the notch is in the way.
+    // Lead the path straight to the tip of a notch. Within max(l, 1.5 h) of it
+    // phi is that of the notch: from where the path enters this circle last, it
+    // is replaced.
     void
     end_at_tip(const CrackPathProblem &problem,
                const Point<2>         &tip,
@@ -221,12 +241,19 @@ namespace MixedCracks
 
 
 
+  // A branch ends at the point x of its parent with the smallest
+  //
+  //   |x - p| + 3 |x - p - ((x - p) . e) e|,
+  //
+  // p the first point that is off the parent's profile, e the direction in
+  // which the branch is prolonged there. Straight ahead costs 1 per mm,
+  // sideways 4: the nearest point alone would bend an oblique branch to the
+  // perpendicular.
   CrackEnd
   join(const CrackPathProblem &problem,
        const Polyline         &parent,
        Polyline               &points)
   {
-    // close to the other crack, its profile is in the way
     const double near = std::max(problem.options.length_scale, 1.5 * problem.h);
     while (points.size() > 2 && distance_to(parent, points.front()) < near)
       points.erase(points.begin());

@@ -1,4 +1,22 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
+// phi near cracks, twice: as a graph of nodes and as a function. The graph
+// joins all four nodes of a cell, diagonals included, so that ways have eight
+// directions; a hanging node is joined to the four nodes of the coarse cell on
+// whose edge it lies, or a band could end where the cell size changes. Nodes
+// are the same when they are nearer than 1e-4 of the smallest cell; hence those
+// of the two faces of a slit are one, with the smaller phi.
+//
+// As a function phi is bilinear,
+//
+//   x = v_0 + xi a + eta b + xi eta c,   phi likewise,
+//
+// (xi, eta) by Newton's method: at most 8 iterations, one for a parallelogram
+// (c = 0). Outside the damaged cells, where phi >= 0.9 at all nodes, 1 is
+// taken.
+//
+// Places are found by boxes of the median size of cells, nodes by boxes of 4
+// tolerances and their 8 neighbours.
+
 #include <base/plane.h>
 
 #include <cracks/crack_path_field.h>
@@ -12,7 +30,7 @@ namespace MixedCracks
 
   namespace
   {
-    // the root of the area
+    // The root of the area, half the cross product of the diagonals.
     double
     size_of(const std::array<Point<2>, 4> &v)
     {
@@ -189,6 +207,7 @@ namespace MixedCracks
 
 
 
+  // The values of a node begin with 1 and become the smallest of its cells'.
   DamageField::Node
   DamageField::node_at(const Point<2> &point)
   {

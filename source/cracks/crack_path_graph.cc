@@ -1,5 +1,25 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// The paths along broken nodes.
+// Paths along nodes, as cheapest ways in the metric
+//
+//   cost of an edge ab = |ab| (1 + 20 mean(phi_a, phi_b)^2),
+//
+// which is |ab| in the middle of a crack and 6 |ab| where phi = 0.5, from one
+// or several sources (Dijkstra). Minimal paths between two points of an image,
+// of which Cohen and Kimmel, Int. J. Comput. Vision 24 (1997), have the
+// continuous version. For each component of open nodes (phi < 0.5, off the
+// rim):
+//
+//   1. from any broken node to the broken node A farthest away, from A to the
+//      farthest, B: AB is the longest path (exactly so in a tree)
+//   2. broken nodes within max(3 l [branch_distance], 4 h) of a path are its
+//   3. from all nodes of all paths to the farthest broken node that is left: a
+//      branch, which leaves the path of its source; again from 2
+//      until no broken node is left
+//
+// "Farthest" is measured in mm along the cheapest way, not by its cost: the
+// longest crack counts, not the one that is worst to follow. Each round takes
+// at least the end of its branch, so that 3 comes to an end.
+
 #include <cracks/crack_path_parts.h>
 
 #include <algorithm>
@@ -151,6 +171,10 @@ namespace MixedCracks
 
 
 
+  // Near the boundary damage may follow it, and the longest way would, too. A
+  // notch has a profile of its own around it, hence 1.5 times the distance, but
+  // not around its tip: where the nearest place on the notch is a tip, a crack
+  // begins.
   bool
   is_at_rim(const CrackPathProblem &problem, const Point<2> &point)
   {

@@ -1,4 +1,23 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
+// Where damage began, from nodes with phi < 0.3 in the order in which they
+// break, with R = 3 l [reach]. Known nodes K, at first the initial ones I
+// (slits, initial cracks); for each new node x, d = distance of x to K:
+//
+//   d >= R                            x is a nucleus: damage of its own
+//   d <  R, R/3 < |x - I| < R,
+//           the first such x          the node of I nearest to x is a nucleus:
+//                                     there the initial cracks begin to grow
+//   then K := K + {x}
+//
+// Single-linkage clusters, built up in time: a crack that advances by less than
+// R from one look to the next is never a nucleus again. R/3 = l keeps the
+// widening of an initial profile apart from growth. What a trial step found is
+// dropped with it (State::damage_origins); to look at accepted states only
+// would be too late, as a crack can cross the body within one of them.
+//
+// K is kept in boxes of edge R: what is nearer than R lies in the box of x or
+// in one of its 8 neighbours.
+
 #include <cracks/damage_origins.h>
 
 #include <algorithm>
@@ -10,8 +29,8 @@ namespace MixedCracks
 
   namespace
   {
-    // Damage this far (in reaches) from the nodes broken at the start is growth
-    // of them, and not their profile that settles.
+    // In reaches. Nearer than this to the nodes broken at the start, their
+    // profile settles.
     constexpr double growth = 1. / 3.;
 
 
@@ -82,6 +101,9 @@ namespace MixedCracks
 
 
 
+  // A checkpoint keeps the nuclei only. All nodes broken at that time are known
+  // then, and stand for the initial ones; that these have grown is seen from a
+  // nucleus that is one of them.
   DamageOrigins
   resumed_origins(const double                 reach,
                   const std::vector<Point<2>> &nodes,

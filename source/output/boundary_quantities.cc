@@ -1,4 +1,20 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
+// Force on a boundary B, with the residual r = internal - external forces
+// (State::reaction, N per mm of thickness), shape functions N_i,
+//
+//   F_d = s sum_(i on B) r_(i,d),
+//   r_(i,d) = integral of sigma : eps(N_i e_d) - external force on (i, d),
+//
+// what the supports of B give, in balance with all others to the accuracy of
+// the solver. An integral of sigma n over the faces is in balance up to the
+// error of discretisation only, and converges more slowly.
+//
+// s = -1 where the largest component of the mean outward normal is negative,
+// for all components: a pulled left side has a positive F_x. Points: s = 1.
+//
+// Displacement: max over boundaries b of (integral over b of |u_b|) / |b| with
+// the prescribed u_b (components not prescribed 0), and over points of |u_b|.
+
 #include <base/collective.h>
 
 #include <deal.II/base/quadrature_lib.h>
@@ -121,6 +137,9 @@ namespace MixedCracks
 
 
 
+  // Two numbers per boundary, integral and area. An expression may fail in a
+  // point of one rank: together() throws on all, before the sum, or they would
+  // deadlock.
   template <int dim>
   double
   BoundaryQuantities<dim>::displacement(const double time) const

@@ -1,4 +1,28 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
+// How a checkpoint is written. G is the older generation (or one that is not
+// whole), H the other one, which nobody touches. A crash or power failure after
+//
+//   1. G: remove seal.txt, then the rest      G has no seal: "not finished"
+//   2. reserve room for the files of G        likewise
+//   3. mesh, mesh.info, mesh_fixed.data       likewise
+//   4. fsync on every rank                    likewise
+//   5. read the values back, compare sums     likewise
+//   6. record.txt, durably; read it back      likewise
+//   7. seal.txt, durably; read it back        G is whole and newer than H
+//
+// leaves H to resume from up to 6. The rename in 7 is the one moment at which
+// the checkpoint changes; before the first of all there is none. That unlink in
+// 1 reaches the disk before what follows is not needed: an old seal does not
+// fit to a new record, and an old record not to new files (checkpoint_seal.cc).
+//
+// Two generations rather than a copy that is renamed: a folder cannot replace
+// another that is not empty. Room is looked for first, as the libraries of step
+// 3 abort or go on when a write fails; values are read back for the same
+// reason.
+//
+// What fails on one rank is thrown on all of them, by a reduction after 2, 4, 5
+// and 7. The others would wait in the next collective call, a deadlock.
+
 #include <base/errors.h>
 
 #include <deal.II/base/mpi.h>
@@ -85,6 +109,8 @@ namespace MixedCracks
 
 
 
+    // Throw what went wrong on the first rank that has a message, on all of
+    // them.
     void
     require_on_all_ranks(const std::string &message,
                          const MPI_Comm     communicator)

@@ -1,4 +1,19 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
+// The values of a state by cells, as deal.II attaches data to a mesh: for each
+// cell K, in the order of p4est, behind 8 bytes for the file,
+//
+//   4 bytes of deal.II's, then for each vector of the state its values at the
+//   dofs of K, as doubles: first vectors on elastic dofs, then those of phi.
+//
+// A value is there once for each cell that has it, 2 to 4 times in the plane;
+// in return p4est distributes the cells over any number of ranks, and no
+// numbering of dofs, which depends on that number, is kept.
+//
+// The checksum is sum_K FNV(values of K) modulo 2^64: a sum has no order, so
+// that any number of ranks can form it from their cells, in writing, in reading
+// back by blocks of the file, and in loading. It does not see two cells
+// exchanged; the checksum of the file in record.txt does.
+
 #include <base/errors.h>
 
 #include <deal.II/base/mpi.h>
@@ -46,7 +61,8 @@ namespace MixedCracks
 
 
 
-    // only what this rank owns: each value is at home on one of its cells
+    // Only what this rank owns: an owned dof lies on an owned cell, or on
+    // several, which then have the same value.
     template <int dim>
     const char *
     take(const DoFHandler<dim> &dof_handler,
@@ -165,6 +181,8 @@ namespace MixedCracks
 
 
 
+  // deal.II gives the handle that reads to who registers the same data again,
+  // as its SolutionTransfer::deserialize() does; nothing is packed by that.
   template <int dim>
   void
   CheckpointFields<dim>::load(const FieldsOnDisk &expected,

@@ -1,4 +1,15 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
+// Which generation a run goes on from: of those that are whole, the one with
+// the larger number. Numbers count checkpoints since the start of the run and
+// go on when it is resumed; times of files would depend on clocks and on
+// copying.
+//
+//   no folder                     not there
+//   no seal.txt                   not finished: the run was killed meanwhile
+//   another number of format      of another program: Checkpoint::read()
+//                                 refuses both, it may be the newer one
+//   record or a file changed      damaged: the other one serves, with a warning
+
 #include <base/errors.h>
 
 #include <deal.II/base/mpi.h>

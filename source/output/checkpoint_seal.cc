@@ -1,4 +1,22 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
+// Two files make a generation whole or not. Each names size and FNV-1a checksum
+// of what was written before it,
+//
+//   seal.txt    title with the number of the format; number, step;
+//      |        size and checksum of record.txt
+//   record.txt  title; size and checksum of each file below, sum of the values;
+//      |        then the RunRecord
+//   mesh, mesh.info, mesh_fixed.data
+//
+// so that one chain of comparisons from the top finds any byte that has changed
+// but those of the seal, whose first line and number have to be readable. They
+// are written from the bottom up: a seal means that everything it vouches for
+// was read back before.
+//
+// Format = 3 + 1000 (n - 24), n the number of quantities that rows have: with a
+// new quantity old checkpoints have rows without it, and are refused by number
+// rather than by a failure to parse.
+
 #include <base/errors.h>
 
 #include <output/checkpoint_seal.h>
@@ -174,6 +192,8 @@ namespace MixedCracks
 
 
 
+  // record.txt is read back from the disk before it is sealed: sync_to_disk()
+  // drops it from memory.
   void
   write_seal(const std::string      &directory,
              const ContentsOnDisk   &contents,
@@ -219,6 +239,7 @@ namespace MixedCracks
 
 
 
+  // Throws at the first link of the chain that does not hold.
   SealedRecord
   read_sealed(const std::string &directory)
   {

@@ -1,4 +1,24 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
+// Opening and volume of smeared cracks. Along a line with unit normal n through
+// a crack, phi goes from 1 to 0 and back to 1; where u is u- before and u+
+// behind,
+//
+//   w = integral of u . grad(phi) dt = -u- . n + u+ . n = [u] . n,   mm,
+//
+// for any profile of phi, with grad(phi) = phi' n. Over the body it gives the
+// volume (M10; Wheeler, Wick and Wollner, Comput. Methods Appl. Mech. Engrg.
+// 271 (2014)). The sign of n does not matter. On a line
+//
+//   w = D sum_i mean(u . grad(phi))(x + t_i n),   t_i = (i + 1/2) D - N D/2,
+//
+// i = 0 ... N - 1, D = h_min/8, N = 2 ceil(reach/D), and the mean over the
+// cells that contain the point: grad(phi) jumps between cells, and a point on a
+// side would belong to one or the other by rounding, or to the rank that comes
+// first.
+//
+// Cells, places on the unit cell and numbers of cells per point are found once
+// per mesh; an evaluation is two products with shape functions per point.
+
 #include <deal.II/base/geometry_info.h>
 #include <deal.II/base/mpi.h>
 
@@ -79,12 +99,13 @@ namespace MixedCracks
 
 
 
+  // The line cut by the pairs of planes of the box around the cell (slabs), one
+  // after the other: t from max_d min(a_d, b_d) to min_d max(a_d, b_d). The
+  // mapping is linear, so that no cell reaches beyond the box of its vertices.
   template <int dim>
   std::pair<unsigned int, unsigned int>
   CrackOpening<dim>::candidates(const Cell &cell, const Probe &probe) const
   {
-    // between the sides of the box around the cell, one direction after the
-    // other
     const auto [low, high] = cell->bounding_box().get_boundary_points();
     const double tolerance = rounding * cell->diameter();
     double       from      = offset(0) - spacing;

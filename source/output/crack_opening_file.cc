@@ -66,6 +66,8 @@ namespace MixedCracks
 
 
 
+  // The table is written from the rows of the checkpoint, not continued: rows
+  // of steps behind it, which will be computed again, must not stay.
   template <int dim>
   void
   CrackOpeningFile<dim>::restore(const std::string &earlier)

@@ -47,7 +47,9 @@ namespace MixedCracks
       return static_cast<unsigned int>(number);
     }
 
-    // the third part of four, or what is normal to the line in the plane
+    // The third part of four, of any length; otherwise, in the plane, the line
+    // turned to the left by 90 degrees. The opening does not depend on its
+    // sign.
     template <int dim>
     Tensor<1, dim>
     read_normal(const std::vector<std::string> &parts,

@@ -1,4 +1,18 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
+// Paths are written when they differ from those written last by more than l/10
+// in the distance of Hausdorff,
+//
+//   d(a, b) = max( max over points p of a of dist(p, b), the same of b to a ),
+//
+// crack by crack in the order of tracing, or when an end has moved by so much.
+// The ends are compared apart, since a line with start and end exchanged has
+// distance 0 from itself. Cracks that are numbered otherwise count as
+// different: a step too many is written, never one too few.
+//
+// Written in the order rows, .vtp, list. All of it follows from the rows, which
+// are in the checkpoint; a .vtp is written again only where it is missing or
+// does not end as it should.
+
 #include <base/finite_text.h>
 
 #include <cracks/crack_path_parts.h>

@@ -1,4 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
+// VTK PolyData with one line per crack: points of all cracks in a row, the k-th
+// line being the points offsets[k-1] to offsets[k] - 1.
+
 #include <base/finite_text.h>
 
 #include <output/crack_path_vtp.h>

@@ -1,4 +1,10 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
+// The surface phi = 1/2 by marching cubes (Lorensen and Cline, Computer
+// Graphics 21 (1987)), cell by cell, as triangles with three points of their
+// own. It lies to both sides of the crack at the distance where its profile is
+// 1/2: 0.52 l (Wu), 0.59 l (AT1), 0.69 l (AT2). At hanging nodes the surfaces
+// of the cells need not meet.
+
 #include <base/collective.h>
 
 #include <deal.II/base/data_out_base.h>

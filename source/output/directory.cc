@@ -1,4 +1,18 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
+// What may happen to a directory, by what is there and what was asked for:
+//
+//                nothing   a run                      foreign file in the way
+//   (neither)    begin     refuse                     refuse
+//   --overwrite  begin     remove its files, begin    refuse
+//   --resume     Checkpoint::read() finds a whole checkpoint, or refuses
+//
+// Foreign is what would be overwritten and is in no list of a run
+// (run_files.cc). The first look, inspect(), changes nothing but for a file
+// made to test writing and removed again; prepare() comes when no input can be
+// refused any more. There the order is: see that files can be written, that the
+// first ones find room, and only then remove the old run. If anything before
+// fails, that run is as it was.
+
 #include <base/collective.h>
 #include <base/errors.h>
 

@@ -1,4 +1,19 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
+// Files that survive crashes. write_durably() leaves at its path, when the
+// machine stops after
+//
+//   1. open path.part, write all of it     the old file
+//   2. fsync(path.part)                    the old file
+//   3. rename(path.part, path)             the old or the new one, whole
+//   4. fsync(directory)                    the new one
+//
+// rename() is atomic for all that look (POSIX). Without 2 the name may reach
+// the disk before the data, and the file is empty; without 4 the caller could
+// go on and remove what the old file is needed for.
+//
+// Checksum: FNV-1a of 64 bits, s <- (s xor byte) p mod 2^64 (Fowler, Noll, Vo).
+// It finds accidents, not forgery, for a multiplication per byte.
+
 #include <output/disk.h>
 
 #include <cerrno>
@@ -52,6 +67,7 @@ namespace MixedCracks
 
 
     // 0, or what is wrong
+    // write() may take less than it was given, or be interrupted by a signal.
     int
     write_all(const int file, const std::string &text)
     {
@@ -80,6 +96,7 @@ namespace MixedCracks
 
 
 
+  // write() fails with EFBIG then, instead of SIGXFSZ ending the process.
   void
   survive_file_size_limit()
   {
@@ -88,6 +105,10 @@ namespace MixedCracks
 
 
 
+  // All files are held at the same time, since one after the other each would
+  // find the same room. Allocated rather than asked for by statvfs(): quotas,
+  // ulimit -f and blocks kept for root count as well. Another program may take
+  // the room between here and the writing; the checks behind that remain.
   std::string
   missing_space_for(const std::vector<SizedFile> &files)
   {

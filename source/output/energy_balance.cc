@@ -1,4 +1,22 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
+// Balance of one step, mJ,
+//
+//   I_n = (W_n - W_(n-1)) - (E_n - E_(n-1)) - (D_n - D_(n-1)),
+//
+// W external work by the trapezoidal rule (ElasticStep::external_work), E
+// stored energy, D = integral of G_c gamma, judged by |I_n| > tolerance
+// max(|W_n|, E_n).
+//
+// In a quasi-static evolution with an energy (M1), dW = dE + dD: what is left
+// is the error of the trapezoidal rule, of third order in a step in which
+// forces are smooth, none where they are linear. A crack that runs sets free
+// I_n > 0, which would be kinetic energy. A lagged phi, and laws that are not
+// the derivative of an energy (M7, M8), leave something of either sign.
+//
+// |W_n| is the sum since the start, not that of the step, since a step near a
+// maximum of the load may do hardly any work; E_n where loads that were there
+// at the start have stored more than has been done since.
+
 #include <base/log.h>
 
 #include <output/energy_balance.h>

@@ -1,4 +1,17 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
+// Fields of a step: VTU, one file per rank with a .pvtu that lists them, or
+// XDMF, or both; and a list over the steps. Order: names into run_files.txt,
+// the files of the step, then the list, so that the list never names a file
+// that is not whole. fields.pvd and fields.xdmf are replaced by renaming: a
+// reader sees the old or the new one.
+//
+// The libraries do not say when the disk is full: the last block of a file is
+// written in a destructor. Each rank therefore looks whether its file has the
+// last line that it should have.
+//
+// Steps come out of order, as the peak is written when it is over; lists are
+// sorted by time or step.
+
 #include <base/collective.h>
 #include <base/errors.h>
 

@@ -14,7 +14,8 @@ namespace MixedCracks
   namespace
   {
     // Counted, since a norm of numbers that are finite may overflow, and since
-    // comparisons with what is no number are always false.
+    // comparisons with NaN are always false: max(0, NaN) is 0. The sum over the
+    // ranks is the same on all of them, and so is what they decide.
     unsigned long
     n_not_finite(const LinearAlgebra::Vector &vector,
                  const IndexSet              &owned,

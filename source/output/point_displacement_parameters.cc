@@ -14,6 +14,8 @@ namespace MixedCracks
 {
   namespace
   {
+    // A name is part of a column of a CSV file: nothing that would have to be
+    // quoted there, and no digit first.
     bool
     is_name(const std::string &text)
     {
@@ -77,6 +79,7 @@ namespace MixedCracks
                          in_quotes(point.name) +
                          ", allowed are a letter and then letters, digits, "
                          "blanks, '_' and '-'.");
+      // by columns: 'a b' and 'a_b' would have the same
       if (!columns.insert(point.column_name(0)).second)
         throw InputError(parameter + ": found the name " +
                          in_quotes(point.name) +

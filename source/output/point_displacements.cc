@@ -1,4 +1,13 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
+// u(x) = sum_a N_a(xi) u_a in the cell K that contains x, xi = F_K^-1(x) within
+// 1e-6 of the unit cell. On sides and vertices, where several cells contain x,
+// the mean over all of them: u is the same but on a slit, where it is the mean
+// of the faces as far as equally many cells meet from both sides. The number of
+// ranks does not matter.
+//
+// Cells are found once per mesh: the box around K, made larger by a quarter of
+// the diameter, decides before F_K is inverted.
+
 #include <base/errors.h>
 
 #include <deal.II/base/geometry_info.h>

@@ -1,4 +1,9 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
+// A quantity is kept, evaluated from the fields once and stored in the row, or
+// derived from rows when it is written. Derived ones are in no checkpoint, so
+// that a new one needs no new format. One that was not asked for in an earlier
+// piece of a run is NaN in its rows, an empty field of the table.
+
 #include <output/quantities.h>
 
 #include <algorithm>

@@ -1,5 +1,19 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// The list of quantities: to add one, add an entry.
+// The list of quantities: to add one, add an entry. Integrals over the mesh
+// become those of the body by the thickness t (1 in 3-d):
+//
+//   elastic_energy    t integral of psi(eps, phi)                          mJ
+//   crack_energy      t integral of G_c gamma(phi, grad phi), (M1)         mJ
+//   external_work     sum of t/2 (f_(n-1) + f_n) . (u_n - u_(n-1)) over steps,
+//                     f loads and reactions, + work of a fluid             mJ
+//   energy_imbalance  external_work - growth of the two others since step 0
+//   crack_length      integral of gamma: 1 per mm of crack, whatever G_c   mm
+//   crack_volume      t integral of u . grad phi                           mm^3
+//
+// phi is that of the step, not the lagged one, but for forces, which balance
+// with the phi~ they were solved with. Columns keep their order: what is new
+// goes last.
+
 #include <deal.II/base/mpi.h>
 
 #include <output/crack_opening.h>

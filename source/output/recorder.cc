@@ -1,4 +1,18 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
+// An accepted step n, in this order: row (measure), tables, peak, cracks,
+// fields. Trials are measured, too, since what is not finite is not accepted;
+// nothing is kept of them. With t the thickness (1 in 3-d),
+//
+//   W_n = W_(n-1) + t ElasticStep::external_work(n-1, n),  W_0 = 0      mJ
+//
+// is summed up here as steps are accepted, so that a trial that is dropped has
+// done no work. Clocks are summed over the pieces of a run: what earlier ones
+// took plus the clock of this one.
+//
+// The fields of the peak, the largest |F| that was carried, are known to be
+// those only when the force has fallen, by 2 %: the state is kept until then. A
+// checkpoint does not have it, so that save() writes its fields first.
+
 #include <base/collective.h>
 
 #include <output/quantities.h>

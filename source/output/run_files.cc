@@ -1,4 +1,18 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
+// The list of what a run has written. Invariant: a file of a run is in the list
+// before it exists. A crash in between leaves a name without a file, which does
+// no harm; the other order would leave a file that no later run dares to
+// remove. Removing goes the other way: the list itself last.
+//
+// The list is appended to, one name per line. A last line without an end is
+// what a crash has left: not a name when read, cut off before more is appended.
+// It is not fsynced: names that a power failure takes away make files foreign,
+// and a foreign file is never removed.
+//
+// A list can be edited, and names in it are removed: those that are absolute or
+// have '..' do not count; of a link the link is removed and not what it leads
+// to, and folders only when they are empty.
+
 #include <output/checkpoint_seal.h>
 #include <output/disk.h>
 #include <output/run_files.h>

@@ -1,4 +1,28 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
+// One process per directory. With flock() on DIR/.lock,
+//
+//   take:   1. open, or create         free:  1. unlink .lock
+//           2. flock(LOCK_NB)                 2. close, which unlocks
+//           3. is .lock still the file that is open? if not, again from 1
+//
+// Without 3: A frees the lock between 1 and 2 of B, so that B locks a file that
+// has no name any more, and C creates and locks a new one. Unlinked before it
+// is unlocked, since afterwards the file of the next holder might be removed.
+//
+// flock() rather than fcntl(F_SETLK): such a lock is gone as soon as its
+// process closes any descriptor of the file, after only reading it, say. Both
+// end with the process, so that no stale lock is left after kill -9.
+//
+// Without locks (lock_by_heartbeat): the file is the lock while its age, by the
+// clock of its file system, is below 120 s; a thread touches it every 20 s.
+//
+//   1. .lock has a holder and is young: refuse
+//   2. replace it by a file with own host, process, time (rename: whole)
+//   3. wait 0.5 s; if it is not one's own any more, the other was later: refuse
+//
+// Two that both pass 1 before either reaches 2 are told apart by 3 as long as
+// their renames are less than 0.5 s apart; hence the warning.
+
 #include <base/errors.h>
 
 #include <output/run_lock.h>

@@ -1,4 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
+// .lock has a line "host NAME", "process NUMBER", "since TIME", and "no locks
+// here" where its age counts. Only that last line decides anything, the others
+// are for messages: of an empty file or one that is cut off, "another process".
+
 #include <output/run_lock_holder.h>
 #include <sys/stat.h>
 #include <unistd.h>
@@ -113,10 +117,11 @@ namespace MixedCracks
 
 
 
+  // mtime(probe) - mtime(path), both given by the same server: differences
+  // between the clocks of hosts, some minutes at times, do not matter.
   double
   seconds_since_touched(const std::string &path)
   {
-    // another host's clock may differ: what counts is that of the files
     const std::string probe = name_beside(path);
     struct stat       now, then;
     const bool        known = write_file(probe, "now\n") &&

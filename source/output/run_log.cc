@@ -12,6 +12,9 @@ namespace MixedCracks
 
 
 
+  // Time left by load: seconds so far (1 - f)/f at the fraction f of the end
+  // time, as if every piece of the load took as long; a crack that runs takes
+  // longer.
   void
   RunLog::step(const std::vector<StatisticsRow> &rows)
   {

@@ -1,4 +1,9 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
+// RunRecord as text, by TextWriter: values in the order of members(), 17
+// significant digits, which give every double back to the bit. Text rather than
+// bytes, so that order of bytes and sizes of types do not matter and a person
+// can look; a few hundred bytes per load step.
+
 #include <output/quantities.h>
 #include <output/run_record.h>
 #include <output/text_archive.h>
@@ -111,6 +116,9 @@ namespace MixedCracks
 
 
 
+    // What the rest of the program relies on without asking: rows 0, 1, 2, ...
+    // without a gap, the row of the peak among them, times and steps that can
+    // be continued.
     void
     check(const RunRecord &record)
     {

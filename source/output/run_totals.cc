@@ -3,6 +3,8 @@
 
 namespace MixedCracks
 {
+  // Sums over pieces of a run. Of phases each piece gives the largest over its
+  // ranks.
   RunTotals
   operator+(const RunTotals &one, const RunTotals &other)
   {

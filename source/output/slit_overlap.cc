@@ -1,4 +1,20 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
+// Faces of a slit that pass through each other: two vertices at one undeformed
+// place, on sides 1 and 2, n the outward normal of side 1,
+//
+//   depth = - (u_2 - u_1) . n > 0.
+//
+// Reported is the largest, where it is more than 0.01 of the largest jump |u_2
+// - u_1| (less may be the error of discretisation beside a tip) and more than
+// 1e-9 |u| (rigid motion, rounding). Small strains: n is that of the undeformed
+// slit, and a pair stays a pair however far the faces slide.
+//
+// The two sides may be on different ranks. All vertices on slits are gathered
+// and sorted by (coarse face, place, side): partners are then neighbours, in
+// O(n log n). Places are compared on a grid of 64e-9 of the largest |x|, as the
+// two are equal but for rounding; several cells of a side that share the vertex
+// stand in a row before those of the other.
+
 #include <deal.II/base/mpi.h>
 
 #include <deal.II/dofs/dof_accessor.h>

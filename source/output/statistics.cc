@@ -1,4 +1,14 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
+// statistics.csv. Numbers in the classic locale, at most 10 significant digits,
+// counts with 17 (all integers up to 2^53), costs with 4; what is not finite is
+// an empty field. Names of columns are quoted where they need it (RFC 4180): a
+// field with a comma, a quotation mark or the end of a line stands in quotation
+// marks, and those inside are doubled. Numbers never need it.
+//
+// Each row is flushed: a run that is killed loses at most the row being
+// written. A resumed run writes the table anew from its checkpoint, so that a
+// row that was cut off, or is of a step computed again, cannot stay.
+
 #include <base/collective.h>
 #include <base/finite_text.h>
 

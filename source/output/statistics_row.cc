@@ -62,6 +62,7 @@ namespace MixedCracks
 
 
 
+  // (W - W_0) - (E - E_0) - (D - D_0), 0 in an evolution that balances energy.
   double
   StatisticsRow::energy_imbalance(const StatisticsRow &start) const
   {

@@ -1,4 +1,11 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
+// summary.json: everything follows from the rows and from Summary, so that a
+// resumed run that has nothing left to do comes to the same results. Peak: the
+// largest |F| of all rows, the first of equal ones; the last row is left out
+// when its load was not carried, as a load that nothing resists is no strength.
+//
+// JSON has no NaN and no infinity: such numbers are null.
+
 #include <base/finite_text.h>
 
 #include <output/disk.h>

@@ -1,4 +1,22 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
+// XDMF: a list in XML, and the numbers in HDF5,
+//
+//   fields.xdmf   Grid "steps", a temporal collection of
+//                   Grid "mesh": Time, Geometry and Topology in mesh_NNNNN.h5,
+//                                Attribute ... in fields_NNNNN.h5
+//                   ...
+//
+// Each cell has its own 2^dim nodes: values that are constant in cells jump
+// there and can be kept as nodal ones, with one number of nodes for all fields.
+// Size 8 bytes x 2^dim x cells x components; the mesh, 8 dim + 4 bytes per
+// node, only when it has changed.
+//
+// One file is written by all ranks that have cells, collectively: a rank that
+// gave up on a full disk would leave the others in a deadlock. Hence room for
+// the sum over the ranks is looked for first, files are written as *.part, all
+// ranks say whether they have succeeded, and only then rank 0 renames.
+// fields.xdmf comes last.
+
 #include <base/collective.h>
 #include <base/errors.h>
 #include <base/log.h>
@@ -194,7 +212,7 @@ namespace MixedCracks
     if (new_mesh)
       mesh_file =
         "fields/mesh" + solution_file.substr(std::strlen("fields/fields"));
-    // when the disk is full, some ranks stop and the others wait for them
+    // on a full disk some ranks stop, which is a deadlock for the others
     int failures = has_room(data, has_cells, new_mesh, solution_file) ? 0 : 1;
     if (Utilities::MPI::this_mpi_process(communicator) == 0)
     {

@@ -101,6 +101,8 @@ namespace MixedCracks
 
 
 
+  // The third argument, the tolerance an iterative solver would be asked for,
+  // has no meaning: the solution is exact but for rounding.
   LinearOutcome
   DirectSolver::solve(LinearAlgebra::Vector       &solution,
                       const LinearAlgebra::Vector &right_hand_side,

@@ -129,6 +129,8 @@ namespace MixedCracks
 
 
 
+  // Entries are found once, values follow by their positions in the matrix: a
+  // new factorisation copies numbers only.
   void
   Mumps::Implementation::take_pattern(const bool lower_triangle)
   {
@@ -296,6 +298,9 @@ namespace MixedCracks
 
 
 
+  // Workspace is an estimate of the analysis plus workspace_increase percent,
+  // and pivoting for stability may need more, which is told by an error only:
+  // doubled from 30 percent until it is enough, or 2000 are reached.
   LinearOutcome
   Mumps::factorize()
   {
@@ -318,6 +323,9 @@ namespace MixedCracks
 
 
 
+  // x = S y with (S A S) y = S b; for matrices that are not symmetric S = 1.
+  // Vectors come from the ranks one after the other: owned[] has the number in
+  // the matrix of each place in that order.
   LinearOutcome
   Mumps::solve(LinearAlgebra::Vector       &result,
                const LinearAlgebra::Vector &right_hand_side)

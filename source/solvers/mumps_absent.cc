@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// For programs that are built without MUMPS.
+// For programs that are built without MUMPS: is_available() is false, so that
+// no object is ever made, and callers need no preprocessor.
+
 #include <deal.II/base/exceptions.h>
 
 #include <solvers/mumps.h>
