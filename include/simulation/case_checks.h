@@ -2,9 +2,7 @@
 #ifndef mixed_cracks_simulation_case_checks_h
 #define mixed_cracks_simulation_case_checks_h
 
-#include <discretization/constraints.h>
-
-#include <simulation/parameters.h>
+#include <simulation/body.h>
 
 namespace MixedCracks
 {
@@ -25,6 +23,13 @@ namespace MixedCracks
   /// As given, but for what kappa = 0 does to the automatic choice.
   SolverParameters solver_for_stiffness(const SolverParameters    &given,
                                         const MaterialDescription &material);
+
+  /// Evaluate what is given by expressions at t = 0, on the first mesh: loads,
+  /// prescribed values, and with @p only_check the initial phase field, to
+  /// which a run comes by itself. Throws InputError on all ranks for values
+  /// that are not allowed. Collective.
+  template <int dim>
+  void try_expressions_at_start(const Body<dim> &body, bool only_check);
 
   /// What to think of when a step failed with kappa = 0; else nothing.
   std::string hint_at_no_stiffness(const MaterialDescription &material);

@@ -46,6 +46,10 @@ namespace MixedCracks
                        const std::string                &stopped) const;
   };
 
+  /// What to say after the @p error of an expression, where the run goes on
+  /// from @p time (s) once it is mended; else nothing.
+  std::string way_to_mend(const std::string &error, double time);
+
   /// Whether the run ends with a step of that @p force (N). @p is_cut: the
   /// cracks separate the body; @p is_carried: not only residual stiffness
   /// carries the dead loads.

@@ -33,12 +33,13 @@ namespace MixedCracks
     RunOutcome run(ExistingRun existing);
 
   private:
-    /// Evaluate what is given by expressions at the start, on the first mesh.
-    /// Throws InputError for values that are not allowed.
-    void try_expressions(bool only_check) const;
-
     /// Open the files of the run unless they are open.
-    void open_output();
+    void
+    open_output()
+    {
+      if (directory.open())
+        recorder.open_statistics();
+    }
 
     /// That of a resumed run, or the initial one.
     State first_state();

@@ -5,6 +5,7 @@
 #include <discretization/free_motions.h>
 
 #include <simulation/case_checks.h>
+#include <simulation/simulation_setup.h>
 
 namespace MixedCracks
 {
@@ -58,6 +59,19 @@ namespace MixedCracks
 
 
 
+  template <int dim>
+  void
+  try_expressions_at_start(const Body<dim> &body, const bool only_check)
+  {
+    try_loads_at_start(body.parameters, body.fields, body.constraints);
+    if (only_check && body.not_built)
+      try_initial_phase_field(body.parameters, body.fields, body.cell_size);
+    else if (only_check)
+      initial_phase_field(body.parameters, body.fields, body.constraints);
+  }
+
+
+
   std::string
   hint_at_no_stiffness(const MaterialDescription &material)
   {
@@ -69,11 +83,12 @@ namespace MixedCracks
 
 
 
-#define INSTANTIATE(dim)                                              \
-  template void require_held_body(const Triangulation<dim> &,         \
-                                  const Constraints<dim> &);          \
-  template void require_solver_for_stiffness(const Parameters<dim> &, \
-                                             const MaterialDescription &);
+#define INSTANTIATE(dim)                                                   \
+  template void require_held_body(const Triangulation<dim> &,              \
+                                  const Constraints<dim> &);               \
+  template void require_solver_for_stiffness(const Parameters<dim> &,      \
+                                             const MaterialDescription &); \
+  template void try_expressions_at_start(const Body<dim> &, bool);
   INSTANTIATE(2)
   INSTANTIATE(3)
 #undef INSTANTIATE

@@ -49,6 +49,18 @@ namespace MixedCracks
 
 
 
+  std::string
+  way_to_mend(const std::string &error, const double time)
+  {
+    if (!can_be_mended(error))
+      return "";
+    return printed(" The last accepted state, t = %.6g s, is kept: --resume "
+                   "goes on from it with another expression in this entry.",
+                   time);
+  }
+
+
+
   RunEnd
   end_after_step(const double          force,
                  const bool            is_cut,

@@ -63,26 +63,12 @@ namespace MixedCracks
       recorder.find_places();
     }
     run_log.judge_energies_by(imbalance_rule(body));
-    try_expressions(only_check);
+    // a run that is resumed has had its start
+    if (!archive.is_resumed())
+      try_expressions_at_start(body, only_check);
     before_the_run.report(recorder.slits().slits(), archive.warnings());
     if (only_check)
       before_the_run.report_not_checked();
-  }
-
-
-
-  template <int dim>
-  void
-  Simulation<dim>::try_expressions(const bool only_check) const
-  {
-    // a run that is resumed has had its start
-    if (!archive.is_resumed())
-      try_loads_at_start(parameters, body.fields, body.constraints);
-    // the run comes to it by itself, on the mesh that it starts with
-    if (only_check && body.not_built)
-      try_initial_phase_field(parameters, body.fields, body.cell_size);
-    else if (only_check)
-      initial_phase_field(parameters, body.fields, body.constraints);
   }
 
 
@@ -104,16 +90,6 @@ namespace MixedCracks
     advance_to_the_end(accepted);
     return finish(accepted,
                   ending.outcome(recorder.rows(), stop.end_in_words()));
-  }
-
-
-
-  template <int dim>
-  void
-  Simulation<dim>::open_output()
-  {
-    if (directory.open())
-      recorder.open_statistics();
   }
 
 
@@ -202,13 +178,7 @@ namespace MixedCracks
     {
       ending.is(RunEnd::refused, error.what());
       keep(2, error.what());
-      if (!can_be_mended(error.what()))
-        throw;
-      throw InputError(
-        error.what() +
-        printed(" The last accepted state, t = %.6g s, is kept: --resume goes "
-                "on from it with another expression in this entry.",
-                accepted.time));
+      throw InputError(error.what() + way_to_mend(error.what(), accepted.time));
     }
     catch (const SolverError &error)
     {
