@@ -5,6 +5,7 @@
 
 #include <problem/geometries/l_shape.h>
 #include <problem/geometries/mesh_file.h>
+#include <problem/geometries/plane_geometry.h>
 #include <problem/geometries/punctured_strip.h>
 #include <problem/geometries/quadrilateral.h>
 #include <problem/geometries/rectangle.h>
@@ -13,64 +14,99 @@
 
 #include <algorithm>
 #include <cctype>
+#include <type_traits>
 
 namespace MixedCracks
 {
-  template <>
-  const Registry<Geometry<2>> &
-  all_geometries<2>()
+  namespace
   {
-    static const Registry<Geometry<2>> geometries(
-      "geometry",
-      {{"punctured strip",
-        "a strip with a circular hole and a sharp notch, either optional",
-        [] { return std::make_unique<PuncturedStrip<2>>(); }},
-       {"slit square",
-        "a square with a sharp slit from its left edge",
-        [] { return std::make_unique<SlitSquare<2>>(); }},
-       {"rectangle",
-        "a box between two corners",
-        [] { return std::make_unique<Rectangle<2>>(); }},
-       {"L-shape",
-        "a square without its lower right quadrant",
-        [] { return std::make_unique<LShape<2>>(); }},
-       {"quadrilateral",
-        "four corners joined by straight sides",
-        [] { return std::make_unique<Quadrilateral<2>>(); }},
-       {"mesh file",
-        "a mesh of quadrilaterals from a Gmsh, Abaqus or UCD file",
-        [] { return std::make_unique<MeshFile<2>>(); }}});
+    // A figure in the plane, in 3-d what it becomes there; the figures that
+    // differ between the two are told the dimension.
+    template <int dim, typename Figure>
+    std::unique_ptr<Geometry<dim>>
+    make_plane()
+    {
+      if constexpr (std::is_constructible_v<Figure, int>)
+        return std::make_unique<PlaneGeometry<dim>>(
+          std::make_unique<Figure>(dim));
+      else
+        return std::make_unique<PlaneGeometry<dim>>(std::make_unique<Figure>());
+    }
+
+
+
+    template <int dim, template <int> class Body>
+    std::unique_ptr<Geometry<dim>>
+    make_body()
+    {
+      return std::make_unique<Body<dim>>();
+    }
+
+
+
+    // All geometries, once for both dimensions: name and description in 2-d, in
+    // 3-d, and how it is made.
+    template <int dim>
+    std::vector<typename Registry<Geometry<dim>>::Entry>
+    entries()
+    {
+      const auto entry = [](const char *const name_2d,
+                            const char *const description_2d,
+                            const char *const name_3d,
+                            const char *const description_3d,
+                            std::unique_ptr<Geometry<dim>> (*make)()) {
+        return typename Registry<Geometry<dim>>::Entry{
+          dim == 2 ? name_2d : name_3d,
+          dim == 2 ? description_2d : description_3d,
+          make};
+      };
+      return {
+        entry("punctured strip",
+              "a strip with a circular hole and a sharp notch, either "
+              "optional",
+              "punctured strip",
+              "the strip of 2-d, of the thickness of the material",
+              make_plane<dim, PuncturedStrip>),
+        entry("slit square",
+              "a square with a sharp slit from its left edge",
+              "slit cube",
+              "a cube with a sharp plane slit from its left face",
+              make_plane<dim, SlitSquare>),
+        entry("rectangle",
+              "a box between two corners",
+              "box",
+              "a box between two corners",
+              make_body<dim, Rectangle>),
+        entry("L-shape",
+              "a square without its lower right quadrant",
+              "L-shape",
+              "the L-shape of 2-d, of the thickness of the material",
+              make_plane<dim, LShape>),
+        entry("quadrilateral",
+              "four corners joined by straight sides",
+              "quadrilateral",
+              "the quadrilateral of 2-d, of the thickness of the material",
+              make_plane<dim, Quadrilateral>),
+        entry("mesh file",
+              "a mesh of quadrilaterals from a Gmsh, Abaqus or UCD file",
+              "mesh file",
+              "a mesh of hexahedra from a Gmsh, Abaqus or UCD file",
+              make_body<dim, MeshFile>)};
+    }
+  } // namespace
+
+
+
+  template <int dim>
+  const Registry<Geometry<dim>> &
+  all_geometries()
+  {
+    static const Registry<Geometry<dim>> geometries("geometry", entries<dim>());
     return geometries;
   }
 
-
-
-  template <>
-  const Registry<Geometry<3>> &
-  all_geometries<3>()
-  {
-    static const Registry<Geometry<3>> geometries(
-      "geometry",
-      {{"punctured strip",
-        "the strip of 2-d, of the thickness of the material",
-        [] { return std::make_unique<PuncturedStrip<3>>(); }},
-       {"slit cube",
-        "a cube with a sharp plane slit from its left face",
-        [] { return std::make_unique<SlitSquare<3>>(); }},
-       {"box",
-        "a box between two corners",
-        [] { return std::make_unique<Rectangle<3>>(); }},
-       {"L-shape",
-        "the L-shape of 2-d, of the thickness of the material",
-        [] { return std::make_unique<LShape<3>>(); }},
-       {"quadrilateral",
-        "the quadrilateral of 2-d, of the thickness of the material",
-        [] { return std::make_unique<Quadrilateral<3>>(); }},
-       {"mesh file", "a mesh of hexahedra from a Gmsh, Abaqus or UCD file", [] {
-          return std::make_unique<MeshFile<3>>();
-        }}});
-    return geometries;
-  }
+  template const Registry<Geometry<2>> &all_geometries<2>();
+  template const Registry<Geometry<3>> &all_geometries<3>();
 
 
 

@@ -28,25 +28,6 @@ namespace MixedCracks
   /// Heights of @p n_layers equal layers from 0 to @p thickness.
   std::vector<double> equal_layers(double thickness, unsigned int n_layers);
 
-  /// The mesh that @p create_plane makes of its argument; in 3-d extruded to
-  /// @p thickness (mm) by equal layers.
-  template <int dim, typename CreatePlane>
-  void
-  create_extruded(const CreatePlane          &create_plane,
-                  const double                thickness,
-                  const unsigned int          n_layers,
-                  dealii::Triangulation<dim> &triangulation)
-  {
-    if constexpr (dim == 2)
-      create_plane(triangulation);
-    else
-    {
-      dealii::Triangulation<2> plane;
-      create_plane(plane);
-      extrude(plane, equal_layers(thickness, n_layers), triangulation);
-    }
-  }
-
   /// The entry "Thickness cells" of a geometry whose subsection is entered.
   void add_thickness_cells(dealii::ParameterHandler &prm,
                            unsigned int             &thickness_cells);
@@ -68,10 +49,10 @@ namespace MixedCracks
                                   const dealii::Point<2> &end,
                                   double                  thickness);
 
-  /// The box from the origin to (@p width, @p height, @p thickness).
+  /// What a box becomes.
   template <int dim>
-  dealii::BoundingBox<dim>
-  extruded_box(double width, double height, double thickness);
+  dealii::BoundingBox<dim> extruded_box(const dealii::BoundingBox<2> &box,
+                                        double thickness);
 } // namespace MixedCracks
 
 #endif

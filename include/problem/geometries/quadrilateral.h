@@ -2,7 +2,7 @@
 #ifndef mixed_cracks_problem_geometries_quadrilateral_h
 #define mixed_cracks_problem_geometries_quadrilateral_h
 
-#include <problem/geometry.h>
+#include <problem/geometries/plane_figure.h>
 
 #include <array>
 
@@ -10,26 +10,23 @@ namespace MixedCracks
 {
   /// A convex quadrilateral by its corners, counterclockwise from the lower
   /// left one, with the mesh that a bilinear map makes of a grid. Boundaries:
-  /// bottom from the first corner to the second, then right, top, left. In 3-d
-  /// this times [0, thickness], with the boundaries back (z = 0) and front.
-  template <int dim>
-  class Quadrilateral : public Geometry<dim>
+  /// bottom from the first corner to the second, then right, top, left.
+  class Quadrilateral : public PlaneFigure
   {
   public:
+    std::string subsection() const override;
+
     void add_parameters(dealii::ParameterHandler &prm) override;
 
     void check() const override;
 
-    std::map<std::string, dealii::types::boundary_id>
-    boundary_ids() const override;
+    dealii::BoundingBox<2> extent() const override;
 
-    std::optional<dealii::BoundingBox<dim>> extent() const override;
+    void create(dealii::Triangulation<2> &plane) const override;
 
-    void create(dealii::Triangulation<dim> &triangulation) const override;
+    double n_cells() const override;
 
-    std::optional<double> n_coarse_cells() const override;
-
-    std::unique_ptr<Geometry<dim>> coarser(double factor) const override;
+    std::unique_ptr<PlaneFigure> coarser(double factor) const override;
 
   private:
     using Corners = std::array<dealii::Point<2>, 4>;
@@ -38,14 +35,10 @@ namespace MixedCracks
     Corners corners() const;
 
     /// Along bottom and top, along left and right.
-    std::vector<unsigned int> n_cells() const;
+    std::vector<unsigned int> cell_numbers() const;
 
-    /// The mesh in the plane, with boundary ids.
-    void create_plane(dealii::Triangulation<2> &plane) const;
-
-    std::string  corners_text    = "0,0 ; 1,0 ; 1,1 ; 0,1";
-    std::string  cells           = "10, 10";
-    unsigned int thickness_cells = 1;
+    std::string corners_text = "0,0 ; 1,0 ; 1,1 ; 0,1";
+    std::string cells        = "10, 10";
   };
 } // namespace MixedCracks
 

@@ -2,7 +2,7 @@
 #ifndef mixed_cracks_problem_geometries_slit_square_h
 #define mixed_cracks_problem_geometries_slit_square_h
 
-#include <problem/geometry.h>
+#include <problem/geometries/plane_figure.h>
 
 namespace MixedCracks
 {
@@ -11,37 +11,43 @@ namespace MixedCracks
   /// [0, Size]^3 with that slit through all of its depth. Boundaries: left,
   /// right, bottom, top, slit (both faces of it), and in 3-d back (z = 0) and
   /// front.
-  template <int dim>
-  class SlitSquare : public Geometry<dim>
+  class SlitSquare : public PlaneFigure
   {
   public:
+    /// In 3-d it is a cube, with other words and another default.
+    explicit SlitSquare(unsigned int dim);
+
+    std::string subsection() const override;
+
     void add_parameters(dealii::ParameterHandler &prm) override;
 
     void check() const override;
 
+    dealii::BoundingBox<2> extent() const override;
+
+    void create(dealii::Triangulation<2> &plane) const override;
+
+    double n_cells() const override;
+
+    std::unique_ptr<PlaneFigure> coarser(double factor) const override;
+
     std::map<std::string, dealii::types::boundary_id>
-    boundary_ids() const override;
+    more_boundary_ids() const override;
 
-    std::optional<dealii::BoundingBox<dim>> extent() const override;
+    std::map<std::string, dealii::Point<2>> named_points() const override;
 
-    void create(dealii::Triangulation<dim> &triangulation) const override;
+    std::vector<Segment<2>> slits() const override;
 
-    std::optional<double> n_coarse_cells() const override;
+    std::optional<double> own_thickness() const override;
 
-    std::unique_ptr<Geometry<dim>> coarser(double factor) const override;
-
-    std::map<std::string, FlatPiece<dim>> named_places() const override;
-
-    std::vector<FlatPiece<dim>> slits() const override;
+    std::vector<double> own_layers() const override;
 
   private:
-    /// The mesh of the square, with boundary ids.
-    void create_square(dealii::Triangulation<2> &square) const;
-
-    double size        = 1.;
-    double slit_height = 0.5;
-    double slit_length = 0.5;
-    double cell_size   = dim == 2 ? 0.05 : 0.25;
+    unsigned int dim;
+    double       size        = 1.;
+    double       slit_height = 0.5;
+    double       slit_length = 0.5;
+    double       cell_size;
   };
 } // namespace MixedCracks
 

@@ -116,18 +116,19 @@ namespace MixedCracks
 
   template <>
   dealii::BoundingBox<2>
-  extruded_box(const double width, const double height, const double)
+  extruded_box(const dealii::BoundingBox<2> &box, const double)
   {
-    return dealii::BoundingBox<2>({Point<2>(), Point<2>(width, height)});
+    return box;
   }
 
 
 
   template <>
   dealii::BoundingBox<3>
-  extruded_box(const double width, const double height, const double thickness)
+  extruded_box(const dealii::BoundingBox<2> &box, const double thickness)
   {
-    return dealii::BoundingBox<3>(
-      {Point<3>(), Point<3>(width, height, thickness)});
+    const auto &[lower, upper] = box.get_boundary_points();
+    return dealii::BoundingBox<3>({Point<3>(lower[0], lower[1], 0.),
+                                   Point<3>(upper[0], upper[1], thickness)});
   }
 } // namespace MixedCracks

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include <problem/geometries/boundaries.h>
 #include <problem/geometries/checks.h>
-#include <problem/geometries/extrusion.h>
 #include <problem/geometries/l_shape.h>
 #include <problem/geometries/quad_mesh.h>
 
@@ -16,14 +15,21 @@ namespace MixedCracks
     constexpr dealii::types::boundary_id reentrant_horizontal = n_box_sides;
     constexpr dealii::types::boundary_id reentrant_vertical   = n_box_sides + 1;
 
-    const std::string subsection = "Geometry/L-shape/";
+    const std::string path = "Geometry/L-shape/";
   } // namespace
 
 
 
-  template <int dim>
+  std::string
+  LShape::subsection() const
+  {
+    return path;
+  }
+
+
+
   void
-  LShape<dim>::add_parameters(dealii::ParameterHandler &prm)
+  LShape::add_parameters(dealii::ParameterHandler &prm)
   {
     using namespace dealii::Patterns;
     prm.add_parameter("Size",
@@ -36,48 +42,39 @@ namespace MixedCracks
                       "Wanted size of the cells of the coarse mesh, before "
                       "refinement; mm.",
                       Double(0.));
-    add_thickness_cells(prm, thickness_cells);
   }
 
 
 
-  template <int dim>
   void
-  LShape<dim>::check() const
+  LShape::check() const
   {
-    require_positive(size, subsection + "Size");
-    require_cell_size(cell_size, {size, size}, subsection + "Cell size");
-    if (dim == 3)
-      require_thickness_cells(
-        thickness_cells, size * size / (cell_size * cell_size), subsection);
+    require_positive(size, path + "Size");
+    require_cell_size(cell_size, {size, size}, path + "Cell size");
   }
 
 
 
-  template <int dim>
   std::map<std::string, dealii::types::boundary_id>
-  LShape<dim>::boundary_ids() const
+  LShape::more_boundary_ids() const
   {
-    auto ids                    = box_side_ids<dim>();
-    ids["reentrant horizontal"] = reentrant_horizontal;
-    ids["reentrant vertical"]   = reentrant_vertical;
-    return ids;
+    return {{"reentrant horizontal", reentrant_horizontal},
+            {"reentrant vertical", reentrant_vertical}};
   }
 
 
 
-  template <int dim>
-  std::optional<dealii::BoundingBox<dim>>
-  LShape<dim>::extent() const
+  dealii::BoundingBox<2>
+  LShape::extent() const
   {
-    return extruded_box<dim>(size, size, this->thickness());
+    return dealii::BoundingBox<2>(
+      {dealii::Point<2>(), dealii::Point<2>(size, size)});
   }
 
 
 
-  template <int dim>
   void
-  LShape<dim>::create_plane(dealii::Triangulation<2> &plane) const
+  LShape::create(dealii::Triangulation<2> &plane) const
   {
     const double              half  = size / 2.;
     const std::vector<double> lines = grid_lines({0., half, size}, cell_size);
@@ -95,41 +92,27 @@ namespace MixedCracks
 
 
 
-  template <int dim>
-  void
-  LShape<dim>::create(dealii::Triangulation<dim> &triangulation) const
+  double
+  LShape::n_cells() const
   {
-    create_extruded(
-      [this](dealii::Triangulation<2> &plane) { create_plane(plane); },
-      this->thickness(),
-      thickness_cells,
-      triangulation);
+    return 0.75 * std::pow(size / cell_size, 2.);
   }
 
 
 
-  template <int dim>
-  std::optional<double>
-  LShape<dim>::n_coarse_cells() const
+  double
+  LShape::n_grid_cells() const
   {
-    return 0.75 * std::pow(size / cell_size, 2.) *
-           (dim == 3 ? thickness_cells : 1.);
+    return size * size / (cell_size * cell_size);
   }
 
 
 
-  template <int dim>
-  std::unique_ptr<Geometry<dim>>
-  LShape<dim>::coarser(const double factor) const
+  std::unique_ptr<PlaneFigure>
+  LShape::coarser(const double factor) const
   {
     auto result = std::make_unique<LShape>(*this);
     result->cell_size *= factor;
-    result->thickness_cells = coarser_number(thickness_cells, factor);
     return result;
   }
-
-
-
-  template class LShape<2>;
-  template class LShape<3>;
 } // namespace MixedCracks

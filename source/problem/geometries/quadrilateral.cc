@@ -20,8 +20,8 @@ namespace MixedCracks
 
   namespace
   {
-    const std::string subsection = "Geometry/Quadrilateral/";
-    const std::string corners_parameter(subsection + "Corners");
+    const std::string path = "Geometry/Quadrilateral/";
+    const std::string corners_parameter(path + "Corners");
 
     // in the order of the corners they begin at
     constexpr std::array<BoxSide, 4> sides = {{bottom, right, top, left}};
@@ -36,9 +36,16 @@ namespace MixedCracks
 
 
 
-  template <int dim>
+  std::string
+  Quadrilateral::subsection() const
+  {
+    return path;
+  }
+
+
+
   void
-  Quadrilateral<dim>::add_parameters(dealii::ParameterHandler &prm)
+  Quadrilateral::add_parameters(dealii::ParameterHandler &prm)
   {
     using namespace dealii::Patterns;
     prm.add_parameter("Corners",
@@ -52,14 +59,12 @@ namespace MixedCracks
                       "Numbers of cells of the coarse mesh along bottom and "
                       "top, and along left and right, as '4, 2'.",
                       Anything());
-    add_thickness_cells(prm, thickness_cells);
   }
 
 
 
-  template <int dim>
-  typename Quadrilateral<dim>::Corners
-  Quadrilateral<dim>::corners() const
+  Quadrilateral::Corners
+  Quadrilateral::corners() const
   {
     const std::vector<std::string> points = split_list(corners_text, ';');
     require(points.size() == 4,
@@ -80,18 +85,16 @@ namespace MixedCracks
 
 
 
-  template <int dim>
   std::vector<unsigned int>
-  Quadrilateral<dim>::n_cells() const
+  Quadrilateral::cell_numbers() const
   {
-    return read_cell_numbers(cells, 2, subsection + "Cells");
+    return read_cell_numbers(cells, 2, path + "Cells");
   }
 
 
 
-  template <int dim>
   void
-  Quadrilateral<dim>::check() const
+  Quadrilateral::check() const
   {
     const Corners corner = corners();
     for (unsigned int i = 0; i < 4; ++i)
@@ -104,28 +107,16 @@ namespace MixedCracks
                 ") the sides do not turn left; allowed are the corners of a "
                 "convex quadrilateral, counterclockwise.");
     }
-    const std::vector<unsigned int> n = n_cells();
-    if (dim == 3)
-      require_thickness_cells(thickness_cells, 1. * n[0] * n[1], subsection);
+    cell_numbers();
   }
 
 
 
-  template <int dim>
-  std::map<std::string, dealii::types::boundary_id>
-  Quadrilateral<dim>::boundary_ids() const
-  {
-    return box_side_ids<dim>();
-  }
-
-
-
-  template <int dim>
-  std::optional<dealii::BoundingBox<dim>>
-  Quadrilateral<dim>::extent() const
+  dealii::BoundingBox<2>
+  Quadrilateral::extent() const
   {
     const Corners corner = corners();
-    Point<dim>    lower, upper;
+    Point<2>      lower, upper;
     for (unsigned int d = 0; d < 2; ++d)
     {
       const auto [low, high] =
@@ -133,19 +124,16 @@ namespace MixedCracks
       lower[d] = low;
       upper[d] = high;
     }
-    if (dim == 3)
-      upper[dim - 1] = this->thickness();
-    return dealii::BoundingBox<dim>({lower, upper});
+    return dealii::BoundingBox<2>({lower, upper});
   }
 
 
 
-  template <int dim>
   void
-  Quadrilateral<dim>::create_plane(dealii::Triangulation<2> &plane) const
+  Quadrilateral::create(dealii::Triangulation<2> &plane) const
   {
     const Corners                   corner = corners();
-    const std::vector<unsigned int> n      = n_cells();
+    const std::vector<unsigned int> n      = cell_numbers();
     const std::vector<double>       x      = equal_layers(1., n[0]);
     const std::vector<double>       y      = equal_layers(1., n[1]);
     QuadMesh                        mesh   = tensor_mesh(x, y);
@@ -171,41 +159,20 @@ namespace MixedCracks
 
 
 
-  template <int dim>
-  void
-  Quadrilateral<dim>::create(dealii::Triangulation<dim> &triangulation) const
+  double
+  Quadrilateral::n_cells() const
   {
-    create_extruded(
-      [this](dealii::Triangulation<2> &plane) { create_plane(plane); },
-      this->thickness(),
-      thickness_cells,
-      triangulation);
+    const std::vector<unsigned int> n = cell_numbers();
+    return 1. * n[0] * n[1];
   }
 
 
 
-  template <int dim>
-  std::optional<double>
-  Quadrilateral<dim>::n_coarse_cells() const
+  std::unique_ptr<PlaneFigure>
+  Quadrilateral::coarser(const double factor) const
   {
-    const std::vector<unsigned int> n = n_cells();
-    return 1. * n[0] * n[1] * (dim == 3 ? thickness_cells : 1.);
-  }
-
-
-
-  template <int dim>
-  std::unique_ptr<Geometry<dim>>
-  Quadrilateral<dim>::coarser(const double factor) const
-  {
-    auto result             = std::make_unique<Quadrilateral>(*this);
-    result->cells           = coarser_numbers(n_cells(), factor);
-    result->thickness_cells = coarser_number(thickness_cells, factor);
+    auto result   = std::make_unique<Quadrilateral>(*this);
+    result->cells = coarser_numbers(cell_numbers(), factor);
     return result;
   }
-
-
-
-  template class Quadrilateral<2>;
-  template class Quadrilateral<3>;
 } // namespace MixedCracks

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include <problem/geometries/boundaries.h>
 #include <problem/geometries/checks.h>
-#include <problem/geometries/extrusion.h>
 #include <problem/geometries/quad_mesh.h>
 #include <problem/geometries/slit_square.h>
 
@@ -14,20 +13,27 @@ namespace MixedCracks
   namespace
   {
     constexpr dealii::types::boundary_id slit = n_box_sides;
-
-    template <int dim>
-    std::string
-    subsection()
-    {
-      return dim == 2 ? "Geometry/Slit square/" : "Geometry/Slit cube/";
-    }
   } // namespace
 
 
 
-  template <int dim>
+  SlitSquare::SlitSquare(const unsigned int dim)
+    : dim(dim)
+    , cell_size(dim == 2 ? 0.05 : 0.25)
+  {}
+
+
+
+  std::string
+  SlitSquare::subsection() const
+  {
+    return dim == 2 ? "Geometry/Slit square/" : "Geometry/Slit cube/";
+  }
+
+
+
   void
-  SlitSquare<dim>::add_parameters(dealii::ParameterHandler &prm)
+  SlitSquare::add_parameters(dealii::ParameterHandler &prm)
   {
     using namespace dealii::Patterns;
     prm.add_parameter("Size",
@@ -58,18 +64,16 @@ namespace MixedCracks
 
 
 
-  template <int dim>
   void
-  SlitSquare<dim>::check() const
+  SlitSquare::check() const
   {
-    require_positive(size, subsection<dim>() + "Size");
-    require_cell_size(cell_size,
-                      std::vector<double>(dim, size),
-                      subsection<dim>() + "Cell size");
+    require_positive(size, subsection() + "Size");
+    require_cell_size(
+      cell_size, std::vector<double>(dim, size), subsection() + "Cell size");
     const auto check_inside = [this](const double       value,
                                      const std::string &entry) {
       require(value >= 1e-3 * cell_size && value <= size - 1e-3 * cell_size,
-              subsection<dim>() + entry + " is " + number_text(value) +
+              subsection() + entry + " is " + number_text(value) +
                 " mm; it must lie between 0 and the size of " +
                 number_text(size) +
                 " mm, at least a thousandth of the cell size away from both.");
@@ -80,36 +84,32 @@ namespace MixedCracks
 
 
 
-  template <int dim>
   std::map<std::string, dealii::types::boundary_id>
-  SlitSquare<dim>::boundary_ids() const
+  SlitSquare::more_boundary_ids() const
   {
-    auto ids    = box_side_ids<dim>();
-    ids["slit"] = slit;
-    return ids;
+    return {{"slit", slit}};
   }
 
 
 
-  template <int dim>
-  std::optional<dealii::BoundingBox<dim>>
-  SlitSquare<dim>::extent() const
+  dealii::BoundingBox<2>
+  SlitSquare::extent() const
   {
-    return extruded_box<dim>(size, size, size);
+    return dealii::BoundingBox<2>(
+      {dealii::Point<2>(), dealii::Point<2>(size, size)});
   }
 
 
 
-  template <int dim>
   void
-  SlitSquare<dim>::create_square(dealii::Triangulation<2> &square) const
+  SlitSquare::create(dealii::Triangulation<2> &plane) const
   {
     QuadMesh mesh = tensor_mesh(grid_lines({0., slit_length, size}, cell_size),
                                 grid_lines({0., slit_height, size}, cell_size));
     mesh.open_slit({slit_length, slit_height});
-    mesh.create(square);
+    mesh.create(plane);
 
-    set_boundary_ids_by_center(square, [this](const dealii::Point<2> &center) {
+    set_boundary_ids_by_center(plane, [this](const dealii::Point<2> &center) {
       const auto side = box_side_at(center, size, size);
       return side ? dealii::types::boundary_id(*side) : slit;
     });
@@ -117,62 +117,51 @@ namespace MixedCracks
 
 
 
-  template <int dim>
-  void
-  SlitSquare<dim>::create(dealii::Triangulation<dim> &triangulation) const
+  std::vector<Segment<2>>
+  SlitSquare::slits() const
   {
-    if constexpr (dim == 2)
-      create_square(triangulation);
-    else
-    {
-      dealii::Triangulation<2> square;
-      create_square(square);
-      extrude(square, grid_lines({0., size}, cell_size), triangulation);
-    }
+    return {{{0., slit_height}, {slit_length, slit_height}}};
   }
 
 
 
-  template <int dim>
-  std::vector<FlatPiece<dim>>
-  SlitSquare<dim>::slits() const
+  std::map<std::string, dealii::Point<2>>
+  SlitSquare::named_points() const
   {
-    return {extruded_segment<dim>(
-      {0., slit_height}, {slit_length, slit_height}, size)};
+    return {{"slit tip", {slit_length, slit_height}}};
   }
 
 
 
-  template <int dim>
-  std::map<std::string, FlatPiece<dim>>
-  SlitSquare<dim>::named_places() const
-  {
-    return {
-      {"slit tip", extruded_point<dim>({slit_length, slit_height}, size)}};
-  }
-
-
-
-  template <int dim>
   std::optional<double>
-  SlitSquare<dim>::n_coarse_cells() const
+  SlitSquare::own_thickness() const
+  {
+    return size;
+  }
+
+
+
+  std::vector<double>
+  SlitSquare::own_layers() const
+  {
+    return grid_lines({0., size}, cell_size);
+  }
+
+
+
+  double
+  SlitSquare::n_cells() const
   {
     return std::pow(size / cell_size, 1. * dim);
   }
 
 
 
-  template <int dim>
-  std::unique_ptr<Geometry<dim>>
-  SlitSquare<dim>::coarser(const double factor) const
+  std::unique_ptr<PlaneFigure>
+  SlitSquare::coarser(const double factor) const
   {
     auto result = std::make_unique<SlitSquare>(*this);
     result->cell_size *= factor;
     return result;
   }
-
-
-
-  template class SlitSquare<2>;
-  template class SlitSquare<3>;
 } // namespace MixedCracks
