@@ -79,7 +79,7 @@ def write_gmsh(path, physical, points, elements):
 
 def bending_beam(path):
     """Beam 8 x 2 mm with a triangular notch, 0.4 mm wide and 0.4 mm deep,
-    loaded from above at its middle [Miehe10]."""
+    loaded from above at its middle [Miehe10b]."""
     right = [0.1, 0.3, 0.6, 1., 1.5, 2., 2.5, 3., 3.5, 4.]
     xs = [-x for x in reversed(right)] + [0.] + right
     ys = [0.2 * k for k in range(11)]

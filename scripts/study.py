@@ -16,7 +16,7 @@ displacement_mm, force_N_per_mm (or force_N) and, if they belong to runs, name.
 cracks: the phase field at the end of every run, with the path of the crack where
 the run has written a crack_path.csv.
 
-compare: peak displacement and force beside those of a CSV file with columns
+compare: peak displacement and force compared with those of a CSV file with columns
 name, displacement_mm, force_N_per_mm; lines with # are comments.
 
 paths: how far the crack paths of two runs lie apart at the end.
@@ -26,7 +26,7 @@ pressure, stress_xx, ...) at the moment nearest to --time, or at the end;
 --deformed shows the deformed body without its broken cells, --window a part. In
 3-d the outside is seen along z.
 
-opening: crack_opening.csv of the last step, beside exact values where --exact
+opening: crack_opening.csv of the last step, compared with exact values where --exact
 gives an expression in x, the position along the line (mm).
 
 Needs matplotlib and numpy (Debian: python3-matplotlib), and no display.
@@ -42,7 +42,7 @@ from report_parts import interpreter  # noqa: E402
 
 KINDS = (("curves", "force over displacement of all runs"),
          ("cracks", "phase field at the end of every run"),
-         ("compare", "peaks beside reference values"),
+         ("compare", "peaks compared with reference values"),
          ("paths", "distance between the crack paths of two runs"),
          ("picture", "one field of a run"),
          ("opening", "opening along the lines of a run"))

@@ -10,7 +10,7 @@ namespace MixedCracks
 {
   /// Run @p body, which must not communicate, and throw the InputError of one
   /// rank on every rank: an expression may fail on a single one, and the
-  /// others would wait for it for ever. Collective.
+  /// others would be in a deadlock. Collective.
   template <typename Body>
   void
   together(const MPI_Comm communicator, const Body &body)

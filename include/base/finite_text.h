@@ -24,7 +24,7 @@ namespace MixedCracks
   std::locale csv_locale();
 
   /// The value, or where it has overflown the largest number there is: for
-  /// sentences, in which "inf" and "nan" say nothing. What is no number is 0.
+  /// sentences, in which "inf" and "nan" say nothing. NaN is 0.
   double printable(double value);
 
   /// A JSON number; null where it is not finite, which JSON cannot say.

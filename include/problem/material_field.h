@@ -43,7 +43,7 @@ namespace MixedCracks
       std::string               name;
       std::string               parameter; // in messages
       double                    number;
-      std::optional<Expression> expression; // where it is no number
+      std::optional<Expression> expression; // where it is not one number
 
       double evaluate(const Variables &variables) const;
     };

@@ -156,7 +156,7 @@ def check_piece(points, connectivity, offsets, types, data):
         if len(values) != len(points):
             raise FieldError("%s has %d values for %d points"
                              % (name, len(values), len(points)))
-        # also where a value is no number, which compares with nothing
+        # also where a value is NaN, which compares with nothing
         if not (np.abs(values) <= LARGEST).all():
             raise FieldError("%s has values that are not finite" % name)
     if data.get("phase_field", np.zeros(0)).ndim != 1 \

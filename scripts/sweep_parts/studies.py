@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""What scripts/study.py reads: the runs of a sweep, references beside them."""
+"""What scripts/study.py reads: runs of a sweep, references for comparison."""
 import csv
 import fnmatch
 import math

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Peaks of the runs of a sweep beside reference values, as a Markdown table."""
+"""Peaks of the runs of a sweep compared with reference values, as a Markdown table."""
 from . import studies
 
 HEAD = ("| run | displacement at peak (mm) | reference | deviation | "

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""The opening along the lines of a run, beside an exact one."""
+"""The opening along the lines of a run, compared with an exact one."""
 import os
 
 import matplotlib

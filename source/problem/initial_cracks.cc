@@ -129,7 +129,7 @@ namespace MixedCracks
                       broken_slits,
                       "Whether the phase field is 0 on the slits of the mesh "
                       "(notches) at the start. 'false': a slit is a gap "
-                      "between cells and no more, as in [Miehe10]; a crack "
+                      "between cells and no more, as in [Miehe10b]; a crack "
                       "then has to nucleate at its tip, which takes more "
                       "load.");
     prm.leave_subsection();

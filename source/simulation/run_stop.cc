@@ -75,7 +75,7 @@ namespace MixedCracks
   RunStop::how_stopped() const
   {
     // a run that is continued with the same limit would not get further, and
-    // who continues it automatically would do so for ever
+    // who continues it automatically would never come to an end
     const bool got_nowhere =
       poll.is_by_clock() && is_resumed && poll.n_steps() == 0;
     return got_nowhere ? RunEnd::out_of_time : RunEnd::stopped;

@@ -59,7 +59,7 @@ class Difference(Exception):
 
 
 def number(text):
-    """The value of a cell, or None for one that is no number."""
+    """The value of a cell, or None for one that is not a number."""
     try:
         return float(text)
     except ValueError:

@@ -209,7 +209,7 @@ TEST(ActiveSet, StartsFromOutsideTheBounds)
 namespace
 {
   // Positive definite, but off-diagonal entries of both signs: without the
-  // projection the sets {3}, {1}, {1,2,3} follow each other from 0 for ever,
+  // projection the sets {3}, {1}, {1,2,3} follow each other from 0 without end,
   // whatever the constant of the criterion. The only solution is (0, -1/4, 0).
   const Obstacle cycling{{{5., 4., -2.}, {4., 4., -4.}, {-2., -4., 9.}},
                          {0., -1., 3.},

@@ -330,7 +330,7 @@ TEST_F(AdaptiveSquare, EndsWhenDamagedCellsAreFineEnough)
 
 
 
-// or a load step would ask for finer cells for ever
+// or a load step would ask for finer cells without end
 TEST_F(AdaptiveSquare, LeavesNoDamagedCellCoarseHoweverDistorted)
 {
   dealii::GridTools::distort_random(0.35, triangulation, true, 1);

@@ -112,7 +112,7 @@ TYPED_TEST(MaterialEnergyTest, DegradedBulkIsTheClassicalModel)
 
 
 
-// [Miehe10]: psi+ = lambda/2 <tr eps>^2 + mu eps+ : eps+ with its stress and
+// [Miehe10a]: psi+ = lambda/2 <tr eps>^2 + mu eps+ : eps+ with its stress and
 // its driving force; tangents are those of the split, which has its own tests
 TYPED_TEST(MaterialEnergyTest, SpectralWithDegradedBulkIsMiehesModel)
 {

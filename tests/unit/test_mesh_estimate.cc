@@ -33,7 +33,7 @@ namespace
       true);
   }
 
-  // what is estimated beside what is there
+  // what is estimated compared with what is there
   template <int dim>
   void
   compare(const FieldLayout            &layout,

@@ -7,7 +7,7 @@
 namespace MixedCracks
 {
   /// The square [0, Size]^2 with a sharp horizontal slit from the left edge:
-  /// the single-edge-notched specimen of [Miehe10] by default. In 3-d the cube
+  /// the single-edge-notched specimen of [Miehe10b] by default. In 3-d the cube
   /// [0, Size]^3 with that slit through all of its depth. Boundaries: left,
   /// right, bottom, top, slit (both faces of it), and in 3-d back (z = 0) and
   /// front.
