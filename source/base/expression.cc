@@ -1,4 +1,22 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
+// Expressions in the .prm, as "1e-3*t" or "if(x < 1, 0, 2.7)". muParser, by way
+// of deal.II, compiles and evaluates them; before it sees the text,
+//
+//   1. ',' outside of parentheses, '=' and '"' are refused: muParser takes them
+//      for something that nobody means,
+//   2. every word is looked up among variables, functions and pi, so that the
+//      message can name the word and the nearest one that is known,
+//   3. what muParser still dislikes is put into one line.
+//
+// Whether a value depends on a variable is told by the words, not by
+// evaluation: "0*t" uses t. A value that is not finite is no error of the text
+// but of the evaluation that meets it, whose message has the variables it was
+// met with.
+//
+// Every expression has deal.II's parser of space, whose variables are a point
+// and the time, whatever the names mean; those that are not needed are
+// "unused_...".
+
 #include <base/errors.h>
 #include <base/expression.h>
 #include <base/names.h>

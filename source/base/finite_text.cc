@@ -1,4 +1,9 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
+// Numbers and texts in files for other programs. CSV and JSON have no word for
+// infinity or NaN that readers agree on: an empty field and null stand for it.
+// JSON has to be UTF-8; bytes that are not become U+FFFD, with RFC 3629's rules
+// for which sequences are characters.
+
 #include <base/finite_text.h>
 
 #include <algorithm>

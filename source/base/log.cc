@@ -1,4 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
+// One log for a run: the first rank writes it to the standard output and, as
+// soon as the directory is open, to log.txt; what was said before that is kept
+// until then. Every line is flushed, since a run may be killed at any time.
+
 #include <base/log.h>
 
 #include <cstdarg>

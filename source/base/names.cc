@@ -1,4 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
+// Names that are not known, and the one that was probably meant: the candidate
+// with the smallest edit distance, if no more than half of the letters are
+// wrong (or two of a short word). Upper and lower case are the same here.
+
 #include <base/names.h>
 
 #include <deal.II/base/utilities.h>

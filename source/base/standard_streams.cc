@@ -1,4 +1,9 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
+// Who starts the program may have closed a standard stream, or close the pipe
+// that reads it. A closed one would give its number, 0 to 2, to the next file
+// that is opened, which would then get the log; a closed pipe would kill the
+// run by SIGPIPE in the middle of a step.
+
 #include <base/standard_streams.h>
 
 #include <csignal>

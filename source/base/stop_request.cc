@@ -1,4 +1,16 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
+// A signal asks the run to stop. The handler only notes which one and when: in
+// a handler hardly a function may be called, and a rank that left its work
+// there would leave the others waiting in a collective call (deadlock).
+// StopPoll asks at places where a run can be left and decides for all ranks.
+//
+// Written in the handler, read outside: the time first, then the number, so
+// that who sees a number has its time. Both are free of locks.
+//
+// SIGTERM, SIGUSR1 and SIGHUP come from schedulers and launchers, several times
+// perhaps; they never end the process. A second Ctrl-C does: it is a person who
+// does not want to wait. SA_RESTART: reading and writing files goes on.
+
 #include <base/stop_request.h>
 
 #include <atomic>

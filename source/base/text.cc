@@ -1,4 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
+// Pieces of text, and numbers in them. Numbers are read in the classic locale,
+// and all of the text has to be a number: "1,5" and "3 mm" are mistakes, not 1
+// and 3.
+
 #include <base/errors.h>
 #include <base/text.h>
 

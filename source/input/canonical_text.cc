@@ -1,4 +1,9 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
+// Two texts that mean the same get one form, for the question whether a run
+// that is resumed has the case it had: numbers by their value to 17 digits
+// ("1.0" and "1e0"), without blanks that separate nothing and without empty
+// items of lists. Formulas are not evaluated: "2*t" and "t*2" are different.
+
 #include <base/text.h>
 
 #include <input/canonical_text.h>

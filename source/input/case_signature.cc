@@ -1,4 +1,17 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
+// Whether a checkpoint belongs to a case. The signature has a line for each
+// entry, in two parts:
+//
+//   problem   entries that must not change: geometry, material, model ...;
+//             files count by their contents (size and checksum)
+//   attempt   the program, and entries that may change, but for Output: a step
+//             that failed is tried again only if something here has changed
+//
+// The rules, one for each subsection or entry, are a list; the longest name
+// that covers an entry decides. An expression that has ended a run, by a value
+// that is not finite at a later time, may be mended: only the entry that the
+// message names.
+
 #include <base/errors.h>
 #include <base/names.h>
 #include <base/text.h>

@@ -1,4 +1,9 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
+// The command line. Options take their value behind '=' or as the next
+// argument. What cannot be understood, or is given twice where one value is
+// taken, is refused with what is allowed. A word that begins with "--" is never
+// taken for a value: "--output --check" is a forgotten directory.
+
 #include <base/errors.h>
 #include <base/names.h>
 #include <base/text.h>

@@ -1,4 +1,9 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
+// Geometry/Dimension is read before all else, by a parser that knows this entry
+// alone and whose errors, of all the others, nobody looks at: what follows is a
+// template of the dimension. The second reading, with all entries, reports what
+// is wrong.
+
 #include <deal.II/base/patterns.h>
 
 #include <input/dimension.h>

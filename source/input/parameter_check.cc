@@ -1,4 +1,10 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
+// Messages about names and values that the .prm must not have: what was found,
+// what is allowed, and what was probably meant. In this order of preference: a
+// subsection in place of an entry, the place where an entry of that name
+// exists, the nearest name in the same subsection, the nearest in the whole
+// tree.
+
 #include <base/names.h>
 #include <base/text.h>
 

@@ -1,4 +1,16 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
+// From a .prm to parameters, in stages that each report all errors they find,
+// so that a file is not mended one error per run:
+//
+//   statements   parameter_source.cc   lines, with file and number; includes
+//   assignments  parameter_parser.cc   known entries, values that fit patterns
+//   paths        parameter_paths.cc    of input files, made absolute
+//   values       here                  set in deal.II's ParameterHandler
+//
+// The handler's own parser stops at the first error and knows neither files nor
+// lines. It is used for what it is good at: entries with defaults, patterns and
+// descriptions, bound to variables.
+
 #include <base/errors.h>
 #include <base/names.h>
 #include <base/text.h>

@@ -1,4 +1,9 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
+// What --parameters prints: all entries as a .prm with comments, as JSON for
+// programs, or as Markdown, which is doc/parameters.md
+// (tests/house/check_manual.py compares). One list, ParameterTree, for all
+// three.
+
 #include <base/errors.h>
 #include <base/names.h>
 

@@ -1,4 +1,17 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
+// Statements of a .prm, checked against the tree of known entries:
+//
+//   subsection NAME ... end        set ENTRY = VALUE
+//
+// and "Subsection/.../Entry=value" of --set. Errors are collected, not thrown.
+// One mistake shall not cause others: what is inside of an unknown subsection
+// is skipped, and a forgotten "end" is guessed where a subsection appears that
+// exists further out; as many superfluous "end" are then forgiven.
+//
+// An entry that is set twice is an error, in the files as by --set, since the
+// last value would win in silence. --set wins over the files: it is assigned
+// later.
+
 #include <base/text.h>
 
 #include <deal.II/base/utilities.h>

@@ -1,4 +1,10 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
+// Names of input files. A relative one is looked for in the directory of the
+// .prm that sets it; only if it is not there but in the working directory, that
+// one is taken. They are made absolute so that parameters.prm, which a run
+// writes, means the same files wherever it is read. The first rank decides for
+// all, since file systems of nodes may differ.
+
 #include <base/errors.h>
 #include <base/text.h>
 

@@ -1,4 +1,13 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
+// The text of a .prm: read by one rank, and handed to all as statements that
+// know their file and line. Comments begin with '#', a backslash at the end of
+// a line goes on in the next one, "include FILE" stands for the statements of a
+// file in the directory of the one that includes it. Files that include
+// themselves, by whatever way, are refused.
+//
+// Errors are handed on as text with their kind, so that all ranks throw the
+// same.
+
 #include <base/errors.h>
 #include <base/text.h>
 

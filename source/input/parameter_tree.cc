@@ -1,4 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
+// All entries that a ParameterHandler has declared, in the order of
+// declaration, as a flat list with paths. It is read from the handler's JSON:
+// there is no other access to patterns and descriptions.
+
 #include <base/names.h>
 
 #include <input/parameter_tree.h>

@@ -1,4 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
+// deal.II describes a pattern by a text, as "[Double 0...MAX_DOUBLE
+// (inclusive)]"; here it becomes words for messages and the manual, "a number,
+// at least 0". What is not recognised stays as it is.
+
 #include <base/names.h>
 #include <base/text.h>
 

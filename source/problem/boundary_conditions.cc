@@ -1,4 +1,23 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
+// What is applied to the body, as lists in the .prm. With x the place, t the
+// time and w a test function, in the terms of (M5) of doc/model.md:
+//
+//   Displacement             u_c = u_D(x, t) on a boundary, mm
+//   Displacement at points   u_c = u_D(x, t) at a vertex, mm
+//     component phase field  phi = phi_D(x, t) on a boundary, within 0 and 1
+//   Traction                 ( tau(x, t), w ) on a boundary, tau in MPa
+//   Body force               ( f(x, t), w ) in the body, f in N/mm^3
+//
+// Each component is a condition of its own: a roller has one, a clamp, "all",
+// dim of them. A boundary that is not named is free: tau = 0, and grad phi . n
+// = 0. discretization/constraints.cc makes constraints of displacements, where
+// the entry that comes first wins at nodes of two boundaries.
+//
+// Texts stay texts until they are asked for, so that a case can be checked
+// before there is a mesh. Names of boundaries are known then, but for those of
+// a mesh file that the .prm does not name: hint() reads the file to tell which
+// it has.
+
 #include <base/errors.h>
 #include <base/names.h>
 #include <base/text.h>
@@ -79,6 +98,7 @@ namespace MixedCracks
 
 
 
+  // In 2-d z is 0; components that nothing was said of are 0.
   template <int dim>
   double
   ExpressionFunction<dim>::value(const Point<dim>  &point,
@@ -166,6 +186,8 @@ namespace MixedCracks
 
 
 
+  // One function of all components for each boundary, as the assembly goes
+  // through boundaries. Components that are not named are 0.
   template <int dim>
   std::map<std::string, std::shared_ptr<ExpressionFunction<dim>>>
   BoundaryConditions<dim>::tractions(const unsigned int n_components) const

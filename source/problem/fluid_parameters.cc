@@ -1,4 +1,12 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
+// A given pressure p_f(x, t) (MPa) in the cracks (M10): its potential
+//
+//   E_f = - integral of  p_f u . grad(phi^2)  over the body
+//
+// pushes apart the crack faces, which the phase field smears out. A text that
+// is the number 0 means no fluid at all, and no terms to assemble; an
+// expression that happens to be 0 is a fluid.
+
 #include <base/expression.h>
 
 #include <deal.II/base/patterns.h>

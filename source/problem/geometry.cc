@@ -1,4 +1,14 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
+// The list of geometries and the subsection "Geometry". Whatever the dimension
+// of a run, its .prm may hold the subsections of both: those of the other
+// dimension are made too ('elsewhere'), for their entries only, so that one
+// manual holds for both. Their names are refused in check(), not by the pattern
+// of the entry: the message can then say in which dimension they exist.
+//
+// A new geometry is a PlaneFigure (see geometries/l_shape.cc), or a Geometry
+// where space is not the plane times an interval, and one entry in the list
+// below.
+
 #include <deal.II/base/patterns.h>
 
 #include <input/dimension.h>

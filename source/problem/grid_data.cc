@@ -1,4 +1,14 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
+// A function on a grid parallel to the axes, x_i in direction d not evenly
+// spaced. In the cell of the grid around x, with f_d in [0, 1] the fraction of
+// the way to the next line,
+//
+//   linear    sum over the 2^3 corners c of  value_c prod_d w_d,
+//             w_d = f_d where c_d = 1, 1 - f_d where c_d = 0
+//   nearest   the value at the corner with c_d = 1 where f_d >= 1/2
+//
+// Beyond the grid it goes on as constant. In 2-d the third axis has one node.
+
 #include <problem/grid_data.h>
 
 #include <deal.II/base/exceptions.h>

@@ -1,4 +1,12 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
+// Gray-scale pictures in PGM: "P2" (numbers as text) or "P5" (bytes, from white
+// = 256 on two of them, the high one first), then width, height and white; '#'
+// begins a comment in the head. Values are pixel/white, 0 to 1, by rows from
+// the top.
+//
+// What the head promises is compared with the size of the file before memory is
+// asked for: a damaged head could promise anything.
+
 #include <base/text.h>
 
 #include <problem/grid_data.h>

@@ -1,4 +1,9 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
+// Tables "x, y[, z], value", a line for each node of a grid, in any order. The
+// axes are the different values of each column; as many lines as there are
+// nodes, and none twice, make it a grid. Coordinates that differ by less than
+// 1e-9 of the extent are one: tables are written with few digits.
+
 #include <base/text.h>
 
 #include <problem/grid_data.h>

@@ -1,4 +1,22 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
+// Cracks that are there at the start: phi = 0 at the nodes within a band around
+// them, and 1 elsewhere. For a segment or penny let (a, b) be the distances of
+// a node across the crack and beyond its rim; it is broken if
+//
+//   max(0, b) <= min(w, h/2)   and   a^2 + max(0, b)^2 <= w^2,
+//
+// w the half width, h the size of the cells at the node; but for 1e-6 h. So the
+// band has round ends as long as w <= h/2, and a wide one is not longer than
+// the crack by more than half a cell: its length, and so the load it bears,
+// would else depend on w. A disc in the plane is broken all over, whatever w
+// is.
+//
+// Only nodes of the first mesh are set. The profile away from the crack, 1 -
+// exp(-d/l) with AT2, is not: step 0 solves for it (LoadStep), which gives the
+// discrete minimiser and depends on no formula. With w = h/2 and a crack along
+// a grid line one row of nodes is broken and no cell is; w = h makes two rows
+// of broken cells.
+
 #include <base/errors.h>
 #include <base/text.h>
 
@@ -274,6 +292,8 @@ namespace MixedCracks
 
 
 
+  // To begin + s (end - begin), the nearest point of the segment: s = (point -
+  // begin) . axis/|axis|^2, but within 0 and 1.
   template <int dim>
   double
   distance(const Point<dim> &point, const Segment<dim> &segment)

@@ -1,4 +1,13 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
+// Constants of the material at a place: numbers, or expressions in x, y, z and
+// 'map' (a picture or table, see material_map.cc). Two elastic constants of any
+// kind become lambda and mu (model/elastic_constants.cc), then G_c.
+//
+// Sets "By material id" hold for the cells with that id and take what they do
+// not name from the entries above. A set without variables is evaluated once,
+// and errors in it are found before there is a mesh; others are evaluated at
+// every quadrature point, and a bad value names the point.
+
 #include <base/errors.h>
 #include <base/names.h>
 #include <base/text.h>

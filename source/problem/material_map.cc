@@ -1,4 +1,15 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
+// The variable 'map' of the material: values of a file at x, in 3-d (x, y, z).
+//
+//   picture   pixel (i, j) covers a rectangle between the given corners, or the
+//             corners of the body; its value belongs to the middle of it,
+//               x_i = lower + (upper - lower) (i + 1/2)/width.
+//             The first row of a picture is its top, largest y. Same for all z.
+//   table     values at the nodes of a grid with its own coordinates
+//
+// 'nearest' keeps sharp interfaces, which lie between the pixels; with 'linear'
+// they are as wide as a pixel.
+
 #include <base/errors.h>
 #include <base/text.h>
 

@@ -1,4 +1,16 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
+// Entries of the material. Two of five elastic constants are given, in any
+// pair:
+//
+//   lambda, mu = E/(2 (1 + nu)), E, nu, K = lambda + 2 mu/3,
+//
+// and G_c (N/mm). For a material id one constant replaces the one of the same
+// name, two replace the pair: with E and nu given for the body, "E" of an id
+// keeps nu.
+//
+// A map that no expression uses, and an expression without the map it uses, are
+// refused: both look like a case that does what was wanted.
+
 #include <base/errors.h>
 #include <base/names.h>
 #include <base/text.h>

@@ -1,4 +1,15 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
+// Sizes of cells. With h_0 the size in the coarse mesh, G 'Global refinements',
+// R the levels of a region and A the 'Adaptive levels',
+//
+//   h = h_0/2^G everywhere,  h_0/2^(G+R) in a region,  and down to h_0/2^(G+A)
+//   where adaptation refines.
+//
+// A crack needs l >= 2 h across it (Preflight warns); all lengths of adaptation
+// are therefore in units of l: margin, lookahead, coarsening margin. l itself
+// is fixed by the first mesh, so that adaptation changes the error and not the
+// model.
+
 #include <base/errors.h>
 
 #include <deal.II/base/patterns.h>

@@ -1,4 +1,16 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
+// Entries of the model: which equations are solved (doc/model.md names them M1
+// to M10). l and kappa may be expressions in
+//
+//   h = mean of measure^(1/dim) over the finest cells of the first mesh  (mm),
+//
+// so that "2*h" keeps l/h while the mesh is refined from case to case. They are
+// evaluated once there is a mesh and stay when it is adapted.
+//
+// Plane stress is a material of its own: lambda is replaced by 2 lambda
+// mu/(lambda + 2 mu) (M6), and deviators are those of the plane, n = 2. Plane
+// strain has the deviator of space, n = 3, unless n is given.
+
 #include <base/errors.h>
 #include <base/expression.h>
 

@@ -1,4 +1,13 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
+// Regions that are fine from the start, as lists in the .prm: boxes, discs
+// (balls in 3-d), and all that is nearer than a distance to something that the
+// geometry has a name for. Levels are added to the global refinements; where
+// regions overlap the largest number counts (discretization/refinement.cc).
+//
+// A box or disc outside of the body is refused: it would refine nothing, and
+// the crack it was meant for would run through coarse cells. Without an extent,
+// as of a mesh file, this is checked once there is a mesh.
+
 #include <base/errors.h>
 #include <base/names.h>
 #include <base/text.h>

@@ -1,4 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
+// What a case consists of before any load: mesh, fields, constraints, material.
+// h is measured on the first mesh and kept in the checkpoint: l and kappa may
+// depend on it, and a body that is refined later is the same material.
+
 #include <deal.II/grid/grid_tools.h>
 
 #include <simulation/body.h>
@@ -108,6 +112,8 @@ namespace MixedCracks
 
 
 
+  // h 2^-(levels that adaptation may still add): the cells that a crack will
+  // run through, not those of the first mesh.
   template <int dim>
   double
   Body<dim>::cell_size_at_cracks() const

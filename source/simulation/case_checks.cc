@@ -1,4 +1,9 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
+// What can be wrong with a case as a whole, known with mesh and parameters
+// only: rigid motions that the supports leave free, which would make the matrix
+// singular; and kappa = 0, with which broken cells have no stiffness: multigrid
+// needs some in every cell, so that a direct solver has to do.
+
 #include <base/errors.h>
 #include <base/names.h>
 

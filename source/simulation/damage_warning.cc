@@ -1,4 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
+// The crack length of every step (3-d: surface), as a share of what it would be
+// if the whole body were broken; see damaged_share().
+
 #include <simulation/damage_warning.h>
 #include <simulation/simulation_plausibility.h>
 

@@ -1,4 +1,15 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
+// The solvers of a load step with what the .prm applies. It is one object for
+// the whole run; reinit() after each change of the mesh.
+//
+// Whether dead loads are still carried: a body in two parts, one of them with
+// loads and no support, has no equilibrium for kappa = 0; with kappa > 0 it has
+// one, in which the broken cells are stretched until they bear the load. Signs
+// of it:
+//
+//   1/2 l(u) > 1/2 E_el    most of the energy is due to the dead loads l, and
+//   E_el in cells with mean phi < 0.1  >=  1/2 E_el    it sits in the crack.
+
 #include <base/errors.h>
 
 #include <simulation/case_checks.h>
@@ -120,6 +131,8 @@ namespace MixedCracks
 
 
 
+  // Sum of psi_K |K| over cells with mean phi < 0.1 by that over all cells,
+  // psi_K the elastic energy density of the cell.
   template <int dim>
   double
   LoadStep<dim>::broken_part_of_energy(const State &state)

@@ -1,4 +1,15 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
+// When the mesh changes, and what goes with it. The lengths of the .prm are
+// multiplied by l here (discretization/adaptation.cc says what they mean).
+//
+// Three states are carried to the new mesh in a load step: the accepted one,
+// the trial, and that of the peak load, which the recorder keeps. Flags depend
+// on places, not on cells: a round makes a cell one level finer, and the same
+// places are asked again until no cell is left to refine.
+//
+// Before the first step nothing is carried: phi at the start is known as a
+// function, and is set on each mesh anew.
+
 #include <simulation/mesh_adaptation.h>
 #include <simulation/simulation_setup.h>
 

@@ -1,4 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
+// All parameters of a run, by subsection, and the checks that need more than
+// one of them. They run before there is a mesh; those that need one come with
+// it (simulation_setup.cc, case_checks.cc).
+
 #include <simulation/parameters.h>
 
 #include <limits>

@@ -1,4 +1,21 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
+// What --check says, and the log before each run: sizes, costs, and warnings of
+// what the numbers cannot mean. Memory by what runs have needed (N dofs,
+// bytes):
+//
+//              direct             block AMG
+//    2-d       3500 N             2500 N
+//    3-d       450 N^(4/3)        9000 N
+//
+// Warnings about the model:
+//
+//   l/h < 2         the band is not resolved: a crack of the discrete problem
+//                   costs more than G_c per surface
+//   lambda/mu > 50  displacement formulation: locking. Mixed: pressure laws but
+//                   'relaxed bulk' keep a volume constraint in broken material,
+//                   and cracks hardly open (doc/model.md, section 3)
+//   not iterated    a running crack advances by about a cell per load step
+
 #include <base/finite_text.h>
 #include <base/names.h>
 #include <base/version.h>

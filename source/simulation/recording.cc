@@ -1,4 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
+// Options of the parts that record, out of parameters of several rooms.
+// 'output' knows no .prm of the model.
+
 #include <output/run_directory.h>
 
 #include <simulation/recording.h>

@@ -1,4 +1,11 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
+// A run and its checkpoints: what is written is all that the next step depends
+// on, so that a resumed run continues as if it had not been interrupted: the
+// state with its history, the next step of the load control with what it
+// remembers, the peak, and h of the first mesh.
+// parallel::distributed::Triangulation restores the mesh on any number of ranks
+// from the coarse mesh, which is made anew from the .prm.
+
 #include <simulation/run_archive.h>
 
 namespace MixedCracks

@@ -1,4 +1,13 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
+// How a run ends, in the order of what counts more when several are true:
+// nothing carries the loads, the body is cut in two, the force has fallen.
+//
+// For a resumed run the question is whether anything is left to do with the
+// parameters of now. What was an end then need not be one now: a later end
+// time, a limit of force that was lowered. A failure is tried again only if
+// something that could mend it has changed: the same input gives the same
+// failure.
+
 #include <input/case_signature.h>
 
 #include <simulation/run_ending.h>

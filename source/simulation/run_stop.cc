@@ -1,4 +1,13 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
+// Answers of a run that has been asked to stop: how far it has come decides on
+// the exit status,
+//
+//   5   there is a checkpoint to go on from
+//   6   there was nothing to write yet
+//
+// A resumed run that met its limit of time before it finished a step would do
+// so again, with the same limit: this ends as "out of time", not as "stopped".
+
 #include <base/stop_request.h>
 
 #include <simulation/run_stop.h>

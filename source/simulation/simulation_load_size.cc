@@ -1,4 +1,9 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
+// How large loads are, roughly, without a mesh: expressions are evaluated at
+// the corners and the middle of the box around the body. Displacements become
+// strains by the largest extent of the body. Body forces are not looked at
+// (is_known = false): what stress they make depends on the shape.
+
 #include <base/errors.h>
 #include <base/finite_text.h>
 #include <base/log.h>

@@ -1,4 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
+// The material of the .prm on a mesh: the map, whose default corners are those
+// of the body; constants at the quadrature points where they vary; and their
+// ranges over all of these points and ranks, for warnings and choices.
+
 #include <assembly/constants_table.h>
 
 #include <base/log.h>

@@ -1,4 +1,30 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
+// Orders of magnitude that are known before anything is solved, compared with
+// each other. An even bar of Young's modulus E breaks at (model/strength.cc)
+//
+//   sigma_c = c sqrt(E G_c/l)   (MPa),    eps_c = e sqrt(G_c/(l E)),
+//
+// c = 0.612 AT1, 0.325 AT2, 0.798 Wu. With U the largest prescribed
+// displacement and L the largest extent of the body, a load is measured by
+//
+//   max( (U/L)/eps_c, tau/sigma_c ),     a fluid by  p_f/sigma_c.
+//
+// Above 1 after one onset step, or 100 until the end time (a fluid: 3), numbers
+// or units are wrong. Below 1e-3 nothing breaks. Bounds are far from what a
+// sensible case has: notches raise the stress, and a body of another shape than
+// a bar has other strains than U/L.
+//
+// Where the material varies, the extremes of E and G_c are combined, as if they
+// met at one point: warnings are about what is wrong everywhere.
+//
+// Afterwards, with gamma the crack density and a(0) what a(phi) is where
+// broken,
+//
+//   share = integral of gamma / (a(0)/l * volume):
+//
+// 1 is phi = 0 in the whole body, an energy no crack has; above 1/2 it broke as
+// a whole.
+
 #include <base/finite_text.h>
 #include <base/log.h>
 

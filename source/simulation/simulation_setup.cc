@@ -1,4 +1,9 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
+// From parameters to objects: mesh and refined regions, conditions on the
+// boundary, loads. Named boundaries are known by their pieces on the coarse
+// mesh, which every rank has; each face is cut into parts at its middle, which
+// lies on a curved boundary where there is one.
+
 #include <base/errors.h>
 
 #include <deal.II/grid/grid_tools.h>
@@ -131,6 +136,8 @@ namespace MixedCracks
 
 
 
+  // h: the mean of measure^(1/dim) over the cells of the highest level of all
+  // ranks; the edge of a square or cube, whatever the shape of the cells.
   template <int dim>
   double
   finest_cell_size(const Triangulation<dim> &triangulation,
@@ -151,6 +158,8 @@ namespace MixedCracks
 
 
 
+  // In the order of the .prm, on which depends what holds where two boundaries
+  // meet. Those of the phase field are in prescribed_phase_field().
   template <int dim>
   std::vector<PrescribedComponent<dim>>
   prescribed_components(const Parameters<dim> &parameters,

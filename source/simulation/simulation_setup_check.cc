@@ -1,5 +1,14 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// The mesh that `--check` looks at.
+// The mesh that `--check` looks at. A large mesh is not built: its coarse cells
+// are made 2^k times as long, its cells are counted on paper from there, k more
+// levels deep (discretization/mesh_estimate.cc), and the numbers are corrected
+// by the true number of coarse cells,
+//
+//   c = n_coarse/(n_larger 2^(k dim)),  n -> c n,  h -> h c^(-1/dim),
+//
+// as edges are rarely divisible by 2^k. What is built has enough cells to try
+// expressions and points of the .prm on.
+
 #include <simulation/simulation_setup.h>
 
 #include <cmath>

@@ -1,5 +1,11 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Expressions of what is applied, tried before anything is solved.
+//
+// An expression may fail at a place or a time, as sqrt(x - 1) or 1/t. What
+// would fail in the first step is found before it: all that is applied is
+// evaluated at t = 0, at the points where the assembly will ask for it. Later
+// times cannot be tried, as they follow from the course of the run.
+
 #include <assembly/constants_table.h>
 
 #include <base/collective.h>

@@ -117,6 +117,8 @@ namespace MixedCracks
 
 
 
+  // phi at the start: the smallest of 0 on slits and in cracks and the given
+  // expression, node by node; hanging nodes are means of their neighbours.
   template <int dim>
   LinearAlgebra::Vector
   initial_phase_field(const Parameters<dim>  &parameters,
@@ -184,6 +186,8 @@ namespace MixedCracks
 
 
 
+  // Where u is prescribed the stress is that of the clamp, not of the body: its
+  // concentration at the edge of a clamp or under a point would break it first.
   template <int dim>
   IndexSet
   unbreakable_nodes(const Parameters<dim> &parameters,

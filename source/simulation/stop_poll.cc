@@ -1,4 +1,15 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
+// Whether to stop, decided by all ranks together: a signal may have reached
+// only one of them, and clocks differ. One reduction,
+//
+//   code = max over the ranks of  1000 + signal   asked by a signal
+//                                 1000            time is over
+//                                 0               go on.
+//
+// Once decided it stays so, without further communication: every rank asks as
+// often as the others. The age of a request is the largest one, and the log
+// says what could not be interrupted when it is more than 2 s.
+
 #include <base/log.h>
 #include <base/stop_request.h>
 

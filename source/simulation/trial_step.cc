@@ -1,4 +1,17 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
+// One load step, tried from the accepted state:
+//
+//   trial = accepted, t = t + dt
+//   repeat  solve (u, p, phi) (steps/step.cc)
+//           refine where phi asks for it, carry accepted and trial over
+//   until   the mesh is fine enough
+//   measure; phi^(n-1) of the trial = phi of the accepted state
+//
+// The accepted state is not touched but for being carried to the new mesh: a
+// trial may be thrown away. LoadControl judges it. Step 0, relax(), has no
+// bound for the change of phi: its profile around initial cracks is no damage
+// of a load step.
+
 #include <base/errors.h>
 
 #include <output/finite_check.h>

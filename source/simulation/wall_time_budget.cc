@@ -1,4 +1,13 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
+// When to stop for a limit T of the wall time (s), by the longest times so far
+// of a load step S, a checkpoint C and a call that cannot be interrupted I; t
+// is now:
+//
+//   in a step      stop if  t + I + C > T      the step is lost, not the state
+//   before a step  stop if  t + S + C > T      it is not even begun
+//
+// C counts as S until one was written.
+
 #include <simulation/wall_time_budget.h>
 
 #include <algorithm>

@@ -1,4 +1,11 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
+// What all geometries ask of their numbers, and numbers as messages print them.
+//
+// The coarse mesh is limited to a million cells: every rank holds all of it,
+// while cells that are refined from it are distributed. A product of extents
+// over cell size is compared as a floating-point number before any vector is
+// allocated.
+
 #include <base/errors.h>
 #include <base/text.h>
 

@@ -1,4 +1,11 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
+// From the plane to space: (x, y) -> (x, y) x [0, t]. A point becomes a line, a
+// segment a rectangle, a face of the boundary a wall with the same id; the two
+// ends are "back" (z = 0) and "front" (z = t). Vertices that are doubled in the
+// plane are doubled in every layer, slits stay slits.
+//
+// The ends are found by the z of the middle of a face, to 1e-9 of t.
+
 #include <problem/geometries/boundaries.h>
 #include <problem/geometries/checks.h>
 #include <problem/geometries/extrusion.h>

@@ -1,4 +1,19 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
+//          top
+//   y ^  +-----------+ a      a: Size, the origin at the lower left
+//     |  |           |
+//        |      c    | right  c = (a/2, a/2), the reentrant corner:
+//   left |     +-----+ a/2      "reentrant horizontal"  y = a/2, x > a/2
+//        |     |                "reentrant vertical"    x = a/2, y < a/2
+//        |     |
+//        +-----+     0  -> x
+//         bottom
+//
+// Grid lines at 0, a/2, a and equal cells between them. The corner is a vertex:
+// in an intact body the stress grows there as r^(s - 1) with sin(3 pi s/2) = s,
+// s = 0.5445 (Williams, J. Appl. Mech. 19 (1952), free sides, symmetric part),
+// which is nearly the -1/2 of a crack, so that a crack starts there.
+
 #include <problem/geometries/boundaries.h>
 #include <problem/geometries/checks.h>
 #include <problem/geometries/l_shape.h>

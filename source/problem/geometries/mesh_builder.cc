@@ -1,4 +1,18 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
+// From the contents of a mesh file to a triangulation. What a file can get
+// wrong is looked for here, since deal.II would abort, or go on with a mesh
+// that is none:
+//
+//   nodes that do not lie in a plane z = const, for a mesh in 2-d
+//   cells that are flat, twisted or not convex (mesh_cells.cc)
+//   a cell that is listed twice
+//   a face of three cells
+//   a face that two cells see in different orders: twisted
+//
+// Faces are known by the sorted indices of their nodes. Four nodes can stand
+// around a quadrilateral in three ways; which one it is, the corner opposite to
+// the least index tells.
+
 #include <problem/geometries/checks.h>
 #include <problem/geometries/mesh_builder.h>
 #include <problem/geometries/mesh_cells.h>

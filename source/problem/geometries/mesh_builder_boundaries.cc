@@ -1,4 +1,12 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
+// Ids of boundary faces. A face may be in several groups of the file (a
+// physical group, a surface, a set of nodes); at most one of them may have a
+// name in the .prm, which decides. Without a name the number of the file is the
+// id, so that it can be seen in output; without a number it is 0.
+//
+// A group with a name must consist of boundary faces: one inside the body would
+// be a condition that is silently not applied.
+
 #include <base/names.h>
 #include <base/text.h>
 

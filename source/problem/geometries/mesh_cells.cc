@@ -1,4 +1,16 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
+// Corners of cells: at each of them the edges span
+//
+//   2-d   m = (e1 x e2)_z           twice the area of the triangle
+//   3-d   m = (e1 x e2) . e3        six times the volume of the tetrahedron,
+//
+// in the order in which they are right-handed in a good cell. All m > 0: the
+// cell is good (in 2-d convex; in 3-d the map is regular at the corners). All m
+// < 0: it is inside out, which another order of the nodes mends. Mixed: twisted
+// or not convex. abs(m) <= 1e-9 diameter^dim: degenerate.
+//
+// Numbers of nodes: 0 1 2 3 around, in 3-d 4 5 6 7 above them.
+
 #include <problem/geometries/mesh_cells.h>
 
 #include <algorithm>

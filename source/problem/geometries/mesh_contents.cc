@@ -1,4 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
+// Nodes and groups of a mesh file, known by the numbers and names of the file,
+// in the order in which they come: indices, not numbers of the file, which may
+// have gaps and be large, are what cells and faces refer to.
+
 #include <problem/geometries/mesh_contents.h>
 
 namespace MixedCracks

@@ -1,4 +1,15 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
+// A mesh from a file, in four stages that know nothing of each other:
+//
+//   text      mesh_reader.cc         read on one rank, handed to all
+//   contents  mesh_scan*.cc          nodes, cells, groups; Gmsh, Abaqus or UCD
+//   mesh      mesh_builder.cc        checked, turned and numbered for deal.II
+//   names     mesh_builder_boundaries.cc   ids of boundaries by the .prm
+//
+// All ranks do the last three alike: the coarse mesh has to be the same
+// everywhere. Boundaries that the .prm knows by a number keep it as their id;
+// those known by a name get ids above the largest number that a file may use.
+
 #include <base/text.h>
 
 #include <deal.II/base/patterns.h>

@@ -1,4 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
+// One rank reads, the others get the text: on a cluster a file system is not
+// asked by a thousand ranks at once, and all ranks see the same bytes, or the
+// same reason why there are none, and throw together.
+
 #include <base/errors.h>
 
 #include <problem/geometries/mesh_reader.h>

@@ -1,4 +1,12 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
+// Which format a mesh file has is told by its first line, not by its name:
+// '.inp' is used by Abaqus and by UCD. '$' begins a Gmsh file, '*' an Abaqus
+// file, five numbers a UCD file. The parsers that follow it take lines without
+// blanks around and without empty lines, and return what is wrong as the end of
+// a sentence.
+//
+// Numbers are read strictly: a line with anything else is no line of numbers.
+
 #include <base/text.h>
 
 #include <problem/geometries/mesh_scan.h>

@@ -1,4 +1,19 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
+// Abaqus and CalculiX, .inp: lines with '*' are keywords with options, the
+// lines after them their data. Read are
+//
+//   *NODE                       number, x, y, z
+//   *ELEMENT, TYPE=, ELSET=     number, nodes: cells, and elements of one
+//                               dimension less, which can name boundaries
+//   *ELSET, *NSET               lists, GENERATE, sets in sets
+//   *SURFACE                    sides of elements, or nodes
+//   *... SECTION, ELSET=, MATERIAL=   material id: the number at the end of the
+//                               name, or that of ELSET=EB1, EB2, ...
+//
+// Parts, instances and assemblies: one of each at most, not moved, since nodes
+// of several instances have the same numbers. Other keywords, as of steps and
+// loads, are skipped: the .prm says what is applied. Names have no case.
+
 #include <base/text.h>
 
 #include <problem/geometries/mesh_scan_abaqus.h>

@@ -1,4 +1,12 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
+// What the names of an Abaqus file stand for, once all of it has been read: a
+// set may be used before it is listed.
+//
+// Sides of cells as Abaqus counts them: in 2-d S1 is from node 1 to 2, and so
+// on around; in 3-d S1 is 1-2-3-4, S2 5-8-7-6, S3 1-5-6-2, S4 2-6-7-3, S5
+// 3-7-8-4, S6 4-8-5-1. Only the set of nodes of a side matters here, not their
+// order around.
+
 #include <base/text.h>
 
 #include <problem/geometries/mesh_scan_abaqus.h>

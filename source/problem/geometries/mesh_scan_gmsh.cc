@@ -1,4 +1,16 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
+// Gmsh's .msh, ASCII, versions 2.x, 4.0 and 4.1 (Gmsh manual, "MSH file
+// format"). Sections "$Name ... $EndName" in any order; used are
+//
+//   $MeshFormat      version, 0 for ASCII
+//   $PhysicalNames   (dimension, number) -> name
+//   $Entities        version 4: (dimension, tag) -> physical groups
+//   $Nodes           and $ParametricNodes of version 2
+//   $Elements        in mesh_scan_gmsh_elements.cc
+//
+// In version 2 an element names its physical group, in version 4 the geometric
+// entity it lies on, which has the groups.
+
 #include <base/text.h>
 
 #include <problem/geometries/mesh_scan_formats.h>

@@ -1,4 +1,10 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
+// $Elements of Gmsh. Elements of the dimension of the mesh are cells, their
+// physical group is the material id (0 without one); those of one dimension
+// less mark boundaries by theirs; points, and in 3-d lines, are skipped. Any
+// other kind ends the reading: triangles and elements of higher order would
+// leave a hole.
+
 #include <base/text.h>
 
 #include <problem/geometries/mesh_scan_formats.h>

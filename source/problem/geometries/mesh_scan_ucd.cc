@@ -1,4 +1,9 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
+// UCD of AVS, ASCII: a head of five numbers, of nodes, cells and three that
+// count data; a line "number x y z" for each node and "number material type
+// nodes" for each cell. Cells of one dimension less mark boundaries by their
+// material, from 1; data behind the cells are not read.
+
 #include <base/text.h>
 
 #include <problem/geometries/mesh_scan_formats.h>

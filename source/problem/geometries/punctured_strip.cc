@@ -1,4 +1,20 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
+//                top
+//     +------------------------+ H    W, H: Width, Height
+//     |            _____       |      (x, y), r: Hole center, Hole radius
+//     |           /     \      |      a, b: Notch length, Notch height
+//     |          |   *   |     | y
+//     |           \_____/ hole |      notch: y = b, 0 <= x < a, its vertices
+// left|                        |right doubled as in slit_square.cc
+//     |==* notch tip           | b
+//     |                        |      the specimen of [Mang21, Section 4] by
+//     +------------------------+ 0    default: H = 28, W = 20, r = 4, a = 1 mm
+//                bottom
+//
+// Checked are the lengths that a mesh needs: the hole leaves a ligament of at
+// least smallest_ligament * r to each edge, the notch the same to the bounding
+// square of the hole on one side of it. strip_mesh.cc makes the mesh.
+
 #include <problem/geometries/boundaries.h>
 #include <problem/geometries/checks.h>
 #include <problem/geometries/punctured_strip.h>

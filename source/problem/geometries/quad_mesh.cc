@@ -1,4 +1,9 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
+// Meshes of quadrilaterals as plain lists, made by tools that are put together:
+// tensor products of grid lines, slits, smoothing. They become a triangulation
+// at the end, whose cells deal.II then turns so that edges have consistent
+// directions.
+
 #include <problem/geometries/quad_mesh.h>
 
 #include <deal.II/grid/grid_tools.h>
@@ -11,6 +16,9 @@
 
 namespace MixedCracks
 {
+  // A gap between fixed lines is cut into n = round(gap/size) equal pieces, at
+  // least one: they are 1/2 to 3/2 of the wanted size, or less where the gap
+  // is.
   std::vector<double>
   grid_lines(std::vector<double> fixed, const double cell_size)
   {
@@ -54,6 +62,8 @@ namespace MixedCracks
 
 
 
+  // Vertices to the left of the tip, at its height, get a twin that the cells
+  // above take: two boundaries at one place. The tip stays one vertex.
   void
   QuadMesh::open_slit(const dealii::Point<2> &tip)
   {
@@ -143,6 +153,8 @@ namespace MixedCracks
 
 
 
+  // x_v <- x_v + 1/2 (mean of its neighbours - x_v), for all vertices at once.
+  // A sweep that does not make the worst aspect ratio better is not taken.
   void
   QuadMesh::smooth(
     const std::function<bool(const dealii::Point<2> &)> &is_fixed)

@@ -1,4 +1,20 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
+//   c3      top      c2      image of the unit square under the bilinear map
+//     +-------------+
+// left \             \ right   x(s, t) = (1-t) ((1-s) c0 + s c1)
+//       +-------------+                 + t ((1-s) c3 + s c2),
+//      c0   bottom    c1
+//                             of an even grid of n_s x n_t cells
+//
+// det dx/d(s, t) is a polynomial of degree 1 in s and t: it is positive
+// everywhere if it is at the four corners, where it is the cross product of the
+// two sides. This is what check() asks for: at every corner the sides turn
+// left.
+//
+// Lines of constant s or t stay straight, so that the middle of a boundary face
+// lies on its side. Its name is found by the smallest distance from the lines
+// through the corners.
+
 #include <base/plane.h>
 #include <base/text.h>
 

@@ -1,4 +1,16 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
+//   upper corner
+//   y ^     top     x      a box along the axes, between two given corners;
+//     |  +---------+       in 3-d "back" (least z) and "front" (largest z)
+//   left |         | right
+//        +---------+       cells in direction d: round(extent_d/cell size), at
+//        x  bottom         least 1, or the given numbers
+//   lower corner
+//
+// It needs no plane figure and no thickness: deal.II makes boxes in both
+// dimensions, and numbers their boundaries 2d (lower) and 2d + 1 (upper) for
+// direction d, which is the order of BoxSide.
+
 #include <problem/geometries/boundaries.h>
 #include <problem/geometries/checks.h>
 #include <problem/geometries/rectangle.h>

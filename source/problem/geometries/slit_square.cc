@@ -1,4 +1,18 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
+//              top
+//     +---------------------+ a    a: Size, b: Slit height, c: Slit length
+//     |                     |
+//     |         slit tip    |      slit: y = b, 0 <= x < c. Vertices on it are
+//     |=========* (c, b)    | b    doubled, but for the tip: two faces at one
+// left|                     |      place, both with the id "slit". phi = 0 on
+//     |                     |      them, unless Initial cracks/Broken slits is
+//     +---------------------+ 0    false
+//              bottom
+//
+// The single-edge-notched specimen of [Miehe10b] by default, a = 1 mm, b = c =
+// a/2. In 3-d a cube: its depth is a, not Material/Thickness, with cells of the
+// same size in z. Slit and sides are grid lines, so that no cell is cut.
+
 #include <problem/geometries/boundaries.h>
 #include <problem/geometries/checks.h>
 #include <problem/geometries/quad_mesh.h>

@@ -1,4 +1,19 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
+// The coarse mesh of a strip with a hole. Grid lines everywhere, but for a box
+// around the hole ('HoleBox'), which a ring of cells fills:
+//
+//  +----+------+----+    rays: one to each vertex on the outline of the box;
+//  |    |\    /|    |    each side of the box takes its part of the circle,
+//  +----+-+--+-+----+    in equal angles
+//  |    | (  ) |    |    layers: n on a ray, at (q^i - 1)/(q^n - 1) of its
+//  +----+-+--+-+----+    length, log q = mean of log(R/r) over the rays / n,
+//  |    |/    \|    |    R the distance of the end of a ray from the centre:
+//  +----+------+----+    cells grow with the distance and stay near-square
+//
+// The notch must not end in the ring, whose cells could not hold a slit. The
+// side of the box that is nearest to it is moved onto the notch, or the box
+// away from it: keep_notch_out().
+
 #include <problem/geometries/strip_mesh.h>
 
 #include <deal.II/base/numbers.h>
