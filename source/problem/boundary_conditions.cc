@@ -26,6 +26,8 @@
 
 #include <problem/boundary_conditions.h>
 
+#include <algorithm>
+
 namespace MixedCracks
 {
   using namespace dealii;
@@ -68,6 +70,28 @@ namespace MixedCracks
                        ": component: " + unknown_name_message(name, allowed));
     }
 
+
+
+    // a second value of one component on one boundary would be lost
+    template <int dim>
+    void
+    require_new(const std::vector<BoundaryEntry<dim>> &entries,
+                const std::string                     &boundary,
+                const unsigned int                     component,
+                const std::string                     &found,
+                const std::string                     &parameter)
+    {
+      for (const BoundaryEntry<dim> &earlier : entries)
+        if (earlier.boundary == boundary && earlier.component == component)
+          throw InputError(
+            parameter + ": found '" + found +
+            "', a second entry for a component that has one. "
+            "Allowed is one for each component" +
+            (boundary.empty() ? "." : " of '" + boundary + "'."));
+    }
+
+
+
     template <int dim>
     std::vector<BoundaryEntry<dim>>
     read_entries(const std::string &text,
@@ -90,7 +114,10 @@ namespace MixedCracks
           std::make_shared<const Expression>(parts[2], variables, parameter);
         for (const unsigned int component :
              components_of<dim>(parts[1], with_phase_field, parameter))
+        {
+          require_new(result, parts[0], component, entry, parameter);
           result.push_back({parts[0], component, expression});
+        }
       }
       return result;
     }

@@ -20,6 +20,7 @@
 #include <problem/geometries/checks.h>
 #include <problem/material_field.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 

@@ -5,6 +5,7 @@
 
 #include <simulation/parameters.h>
 
+#include <algorithm>
 #include <limits>
 
 namespace MixedCracks
