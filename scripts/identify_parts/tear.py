@@ -18,6 +18,7 @@ U_w and F_w are those of the specimen without a crack.
 import numpy as np
 
 from .errors import InputError
+from .tear_curves import GROWING
 
 DIFFERENCE, BALANCE, RATIO, PLANE, PAPER = METHODS = (
     "energy difference", "energy balance", "force ratio", "W h0", "paper")
@@ -46,9 +47,10 @@ def onset_of(specimen, given):
 
 
 def differences(specimen, displacement):
-    """[(name, mean length, G)] of neighbouring lengths at a displacement, or at
-    several; as in experiments, cracks of one length count once."""
-    pairs = standing_curves(specimen)
+    """[(name, mean length, G)] of neighbouring lengths at a displacement. A crack
+    that has grown by then has spent work, and does not count."""
+    pairs = [(length, curve) for length, curve in standing_curves(specimen)
+             if curve.kind != GROWING or displacement <= curve.end * (1. + 1e-9)]
     found = []
     for (a1, one), (a2, other) in zip(pairs, pairs[1:]):
         if a2 - a1 > 1e-9 * specimen.width:

@@ -7,7 +7,8 @@
 
 FILE is a CSV file with displacement_mm, force_N (or force_x_N, force_y_N, force_z_N)
 and, for growing cracks, crack_length_mm, or the directory of a run of mixed-cracks:
-statistics.csv, with the length of the cracks from crack_path.csv where that is there.
+statistics.csv, with the length of the cracks from crack_path.csv where that knows it
+from the first step on, otherwise from its column crack_length_mm.
 """
 import os
 
@@ -19,6 +20,7 @@ from .errors import InputError
 FORCES = ("force_N", "force_x_N", "force_y_N", "force_z_N")
 UNCRACKED, GROWING = "uncracked", "growing"
 STANDING = 0.005
+LARGEST_DIFFERENCE = 0.02  # of the work of a run from that of its force, relative
 
 
 class Curve:
@@ -92,6 +94,19 @@ def force_of(table, component):
     return force * np.sign(force[np.abs(force).argmax()])
 
 
+def check_work(table, displacement, force):
+    """Of a run: what does the work is the force over this displacement."""
+    if "external_work_mJ" not in table.names:
+        return
+    work = table.column("external_work_mJ")[-1]
+    own = float(np.sum(0.5 * (force[1:] + force[:-1]) * np.diff(displacement)))
+    if abs(own - work) > LARGEST_DIFFERENCE * abs(work):
+        raise InputError("%s: expected the integral of the force over displacement_mm "
+                         "to be external_work_mJ, found %.5g and %.5g at the end: more "
+                         "than one boundary moves, or --component is another"
+                         % (table.path, own, work))
+
+
 def read_one(text, options):
     kind, length, path = split_source(text)
     table = table_of(path)
@@ -101,6 +116,7 @@ def read_one(text, options):
     displacement = table.column(
         table.chosen(("displacement_mm",), "displacement"), least=0.)
     force = force_of(table, options.component)
+    check_work(table, displacement, force)
     stored = table.column("elastic_energy_mJ") \
         if "elastic_energy_mJ" in table.names else None
     lengths = lengths_of(table, path, displacement, options.crack_length) \
@@ -134,11 +150,13 @@ def lengths_of(table, path, displacement, source):
     """mm, for each row. source: None, 'statistics', 'path' or a CSV file."""
     folder = path if os.path.isdir(path) else None
     own_path = os.path.join(folder, "crack_path.csv") if folder else ""
+    if source == "path" and not folder:
+        raise InputError("--crack-length path: expected the directory of a run after "
+                         "growing:, found '%s'" % path)
     if source == "path" or (source is None and os.path.isfile(own_path)):
-        if not folder:
-            raise InputError("--crack-length path: expected the directory of a run "
-                             "after growing:, found '%s'" % path)
-        return traced_lengths(table, own_path)
+        lengths, from_begin = traced_lengths(table, own_path)
+        if from_begin or source == "path":
+            return lengths
     if source in (None, "statistics"):
         return table.column(table.chosen(("crack_length_mm",), "crack length"),
                             least=0.)
@@ -152,8 +170,9 @@ def lengths_of(table, path, displacement, source):
 
 
 def traced_lengths(table, path):
-    """Sum of the lengths of all cracks; they stay until the next step that is
-    written."""
+    """(sum of the lengths of all cracks in each row, whether they are known from the
+    first row on). A length stays until the next step that is written; before the
+    first one it is taken to be that one."""
     traced = Table(path, may_be_cut=True)
     columns = [traced.column(traced.chosen((name,), name.rpartition("_")[0] or name))
                for name in ("step", "crack", "length_mm")]
@@ -165,7 +184,8 @@ def traced_lengths(table, path):
     steps = np.array(sorted(totals))
     lengths = np.array([sum(totals[step].values()) for step in steps])
     own = table.column(table.chosen(("step",), "step"))
-    return lengths[np.maximum(np.searchsorted(steps, own, side="right") - 1, 0)]
+    return (lengths[np.maximum(np.searchsorted(steps, own, side="right") - 1, 0)],
+            bool(steps[0] <= own[0]))
 
 
 class Specimen:

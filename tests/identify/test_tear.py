@@ -125,6 +125,14 @@ class Growing(Tear):
                 self.assertRelative(point["G_N_per_mm"],
                                     toughness(point["crack_length_mm"]), 0.02)
 
+    def test_growing_cracks_count_as_standing_until_they_grow(self):
+        words = ("growing:" + self.growing(*tearing()), "45:" + self.curve("c.csv", 45))
+        found = self.points(*words)["energy difference"]
+        self.assertEqual([point["crack_length_mm"] for point in found], [46.])
+        self.assertRelative(found[0]["G_N_per_mm"],
+                            energy(found[0]["displacement_mm"]), 0.01)
+        self.assertNotIn("energy difference", self.points(*words, "--onset", "11"))
+
     def test_mean_after_the_rise(self):
         answer = self.numbers(*SPECIMEN, "uncracked:" + self.curve("w.csv"), "growing:"
                               + self.growing(*tearing(), stored=False),
@@ -191,6 +199,25 @@ class Runs(Tear):
         # the integral over the band is 5 % longer here
         found = self.points(*words, "--crack-length", "statistics")
         self.assertRelative(found["energy balance"][-1]["G_N_per_mm"], 17. / 1.05, 1e-3)
+
+    def test_path_that_is_not_known_from_the_first_step(self):
+        rows = list(zip(*tearing(200)))
+        run = self.run_directory("run", rows)
+        with open(self.path("run", "crack_path.csv"), encoding="utf-8") as stream:
+            lines = stream.read().splitlines(True)
+        self.write(os.path.join("run", "crack_path.csv"), "".join(
+            lines[:1] + lines[41:]))
+        found = self.points("growing:" + run, "--step", "2")
+        self.assertRelative(found["energy balance"][-1]["G_N_per_mm"], 17. / 1.05, 1e-3)
+
+    def test_two_boundaries_that_move(self):
+        """Either moves by displacement_mm: the work is twice that of the force."""
+        u = even(0., 4., 9)
+        work = [2. * THICKNESS * WIDTH * energy(x) for x in u]
+        path = self.csv("w.csv", "displacement_mm,force_N,external_work_mJ", u,
+                        [force(x) for x in u], work)
+        self.refused(*SPECIMEN, "47:" + path, words=("external_work_mJ", "more than "
+                                                     "one boundary"))
 
     def test_standing_cracks_and_a_run_that_was_killed(self):
         words = []
