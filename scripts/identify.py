@@ -178,7 +178,9 @@ def law_answer(arguments):
 
 
 def main():
+    import numpy
     from identify_parts.errors import InputError
+    numpy.seterr(all="ignore")  # what is not finite is refused where it is written
     try:
         arguments = checked_arguments()
         text = (tear_answer if arguments.tear else law_answer)(arguments)

@@ -10,6 +10,7 @@ import numpy as np
 
 from .errors import InputError, listed
 
+LARGEST = 1e12  # what is larger is no measure of a test in mm, N or MPa
 SETTING = re.compile(r"#\s*([A-Za-z_0-9]+)\s*:\s*(.*?)\s*$")
 
 
@@ -93,14 +94,19 @@ class Table:
 
 
 def number_in(text, place, least=None, above=None):
-    """A finite number; place is the begin of the message otherwise."""
+    """A number of measurable size; place is the begin of the message otherwise."""
     try:
         value = float(text)
     except ValueError:
         value = math.nan
-    allowed = "a number" + (" of at least %g" % least if least is not None else
-                            " above %g" % above if above is not None else "")
-    if not math.isfinite(value) or (least is not None and value < least) \
+    allowed = "a number"
+    if abs(value) > LARGEST:
+        allowed += " of at most %g" % LARGEST
+    if least is not None:
+        allowed += " of at least %g" % least
+    if above is not None:
+        allowed += " above %g" % above
+    if not abs(value) <= LARGEST or (least is not None and value < least) \
             or (above is not None and value <= above):
         raise InputError("%s: expected %s, found '%s'%s" % (
             place, allowed, text, " (decimals come after a point)"

@@ -71,8 +71,8 @@ def fit_of(arguments, tests):
         fit = fitting.given(law, given_constants(law, arguments.constants), own,
                             arguments.relative)
     elif not own:
-        raise InputError("--law %s: expected a test of one of %s, found volumetric ones "
-                         "only" % (law.name, ", ".join(laws.MODES)))
+        raise InputError("--law %s: expected a test of one of %s, found volumetric "
+                         "ones only" % (law.name, ", ".join(laws.MODES)))
     else:
         fit = fitting.fitted(law, own, arguments.relative, arguments.confidence)
     if volumetric:

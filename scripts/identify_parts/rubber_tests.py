@@ -93,8 +93,8 @@ def kinds_of_rows(table, kind):
         kind = kind_of(text, "%s:%d: 'test'" % (table.path, line))
     kind = kind or stress_column(table, None)[1]
     if kind is None:
-        raise InputError("%s: what test it is, is not known: expected KIND:FILE, a line "
-                         "'# test: KIND' or a column 'test', with one of %s"
+        raise InputError("%s: what test it is, is not known: expected KIND:FILE, a "
+                         "line '# test: KIND' or a column 'test', with one of %s"
                          % (table.path, ", ".join(KINDS)))
     return np.array([kind] * len(table.rows))
 

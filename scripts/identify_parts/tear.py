@@ -162,8 +162,8 @@ def table_lines(points):
 
 def text_of(specimen, onset, points, mean_from):
     """What is printed."""
-    lines = ["Pure shear, %g x %g x %g mm; G in N/mm" % (specimen.width, specimen.height,
-                                              specimen.thickness)]
+    lines = ["Pure shear, %g x %g x %g mm; G in N/mm"
+             % (specimen.width, specimen.height, specimen.thickness)]
     lines.append("Standing cracks are evaluated at %.5g mm, stretch %.4g"
                  % (onset, 1. + onset / specimen.height))
     lines += list(table_lines(points))

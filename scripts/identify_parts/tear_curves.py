@@ -73,8 +73,8 @@ def split_source(text):
     except ValueError:
         length = None
     if length is None:
-        raise InputError("--tear: expected uncracked:FILE, LENGTH:FILE or growing:FILE, "
-                         "found '%s'" % text)
+        raise InputError("--tear: expected uncracked:FILE, LENGTH:FILE or growing:FILE,"
+                         " found '%s'" % text)
     return "standing", number_in(kind, "--tear: crack length of '%s'" % text,
                                  above=0.), path
 
@@ -214,8 +214,8 @@ class Specimen:
 
     def check_length(self, curve, length):
         if not length < self.width:
-            raise InputError("--tear: expected a crack shorter than --width %g in '%s', "
-                             "found %g" % (self.width, curve.path, length))
+            raise InputError("--tear: expected a crack shorter than --width %g in '%s',"
+                             " found %g" % (self.width, curve.path, length))
 
     def check_lengths(self):
         for one, other in zip(self.standing, self.standing[1:]):

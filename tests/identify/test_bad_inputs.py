@@ -18,6 +18,7 @@ class Files(Case):
         for text, *words in (
                 (HEAD + "1.5,1\n2,abc\n", "t.csv:4", "column 'nominal_stress_MPa'",
                  "expected a number", "'abc'"),
+                (HEAD + "1.5,1\n1e200,1\n", "t.csv:4", "at most 1e+12"),
                 (HEAD + "1.5,1\n2,nan\n", "t.csv:4", "expected a number", "'nan'"),
                 (HEAD + "1.5,1\n0,1\n", "t.csv:4", "column 'stretch'",
                  "a number above 0"),
@@ -93,10 +94,12 @@ class Options(Case):
                 ((UNIAXIAL, "--law", "Yeoh", "--range", "1:1.2"), "more points than "
                  "the 3 constants", "found 2"),
                 ((UNIAXIAL, "--law", "Yeoh", "--weight", "-1"), "--weight", "above 0"),
-                ((UNIAXIAL, "--law", "Yeoh", "--weight", "1", "--weight", "2"), "twice"),
+                ((UNIAXIAL, "--law", "Yeoh", "--weight", "1", "--weight", "2"),
+                 "twice"),
                 ((UNIAXIAL, "--law", "Yeoh", "--confidence", "95"), "--confidence"),
                 ((UNIAXIAL, "--law", "Yeoh", "--use", "0:4"), "--use", "above 0"),
-                ((UNIAXIAL, "--law", "Yeoh", "--picture", "a.pdf"), "--picture", ".svg"),
+                ((UNIAXIAL, "--law", "Yeoh", "--picture", "a.pdf"), "--picture",
+                 ".svg"),
                 ((UNIAXIAL, "--law", "Yeoh", "--picture", "/nowhere/a.svg"),
                  "/nowhere/a.svg"),
                 ((UNIAXIAL, "--linear-ranges", "80,20"), "ascending"),
@@ -152,7 +155,8 @@ class Tear(Case):
     def test_rows(self):
         for rows, *expected in (
                 ("0,0,1\n1,x,1\n2,3,2\n", "t.csv:3", "column 'force_N'", "'x'"),
-                ("-1,0,1\n1,1,1\n2,3,2\n", "t.csv:2", "'displacement_mm'", "at least 0"),
+                ("-1,0,1\n1,1,1\n2,3,2\n", "t.csv:2", "'displacement_mm'",
+                 "at least 0"),
                 ("0,0,1\n1,1,1\n", "at least 3 rows"),
                 ("0,0,1\n0,1,1\n0,2,2\n", "3 increasing values"),
                 ("0,0,1\n1,1,1\n2,2,1\n", "a crack length that grows")):
