@@ -1,11 +1,12 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Find a Python that has matplotlib and numpy; Python's own library only."""
+"""Find a Python that has the modules a script needs; Python's own library only."""
+import importlib
 import os
 import shutil
 import subprocess
 import sys
 
-NEEDED = "import numpy, matplotlib"
+DRAWING = ("numpy", "matplotlib")
 ATTEMPTED = "MIXED_CRACKS_REPORT_ATTEMPTED"
 
 
@@ -22,32 +23,56 @@ def interpreters():
     return unique
 
 
-def can_draw(interpreter):
+def has_modules(interpreter, modules):
     try:
-        return subprocess.call([interpreter, "-c", NEEDED],
+        return subprocess.call([interpreter, "-c", "import " + ", ".join(modules)],
                                stdout=subprocess.DEVNULL,
                                stderr=subprocess.DEVNULL) == 0
     except OSError:
         return False
 
 
-def use_one_with_matplotlib():
-    """Start again with another python3 when this one lacks the modules: the
-    first on the PATH may be one that does not see the system's packages."""
-    try:
-        import matplotlib  # noqa: F401
-        import numpy  # noqa: F401
-        return
-    except Exception:  # a broken installation raises other errors than ImportError
-        pass
-    candidates = interpreters()
+def missing_here(modules):
+    """Those of the modules that this Python lacks."""
+    missing = []
+    for name in modules:
+        try:
+            importlib.import_module(name)
+        except Exception:  # a broken installation raises others than ImportError
+            missing.append(name)
+    return missing
+
+
+def use_another(modules):
+    """Start again with another python3 that has the modules: the first on the PATH
+    may be one that does not see the system's packages. Returns where none has."""
     if ATTEMPTED not in os.environ:
         os.environ[ATTEMPTED] = "1"
-        for interpreter in candidates:
-            if can_draw(interpreter):
+        for interpreter in interpreters():
+            if has_modules(interpreter, modules):
                 sys.stdout.flush()
                 os.execv(interpreter, [interpreter] + sys.argv)
+
+
+def use_one_with_matplotlib():
+    if not missing_here(DRAWING):
+        return
+    use_another(DRAWING)
     sys.exit("%s: no Python with matplotlib and numpy was found (tried: %s).\n"
              "On Debian: apt-get install python3-matplotlib; or name one in "
              "MIXED_CRACKS_PYTHON." % (os.path.basename(sys.argv[0]),
-                                       ", ".join([sys.executable] + candidates)))
+                                       ", ".join([sys.executable] + interpreters())))
+
+
+def use_one_with(modules):
+    """The same for other modules, whose Debian packages are named after them; one
+    line and exit status 2 where there is none."""
+    missing = missing_here(modules)
+    if not missing:
+        return
+    use_another(modules)
+    sys.stderr.write("%s: no Python with %s was found; on Debian: apt-get install %s, "
+                     "or name one in MIXED_CRACKS_PYTHON\n"
+                     % (os.path.basename(sys.argv[0]), ", ".join(modules),
+                        " ".join("python3-" + name for name in missing)))
+    sys.exit(2)

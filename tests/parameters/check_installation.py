@@ -20,7 +20,7 @@ import check_all  # noqa: E402
 import run_two_steps  # noqa: E402
 
 CMAKE, BUILD, MPIRUN = "", "", ""
-SCRIPTS = ("report", "sweep", "study", "picture-3d")
+SCRIPTS = ("report", "sweep", "study", "picture-3d", "identify")
 
 
 class Installation(unittest.TestCase):
