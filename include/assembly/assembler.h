@@ -37,6 +37,8 @@ namespace MixedCracks
     double elastic       = 0.;
     double crack         = 0.;
     double crack_surface = 0.; ///< integral of the crack density; mm, 3-d mm^2
+    /// det F, of the plane in plane stress; 1 at small strain
+    double smallest_jacobian = 1.;
   };
 
   /// D = sigma+ : eps = 2 psi+, of Material::driving_force(), at the quadrature

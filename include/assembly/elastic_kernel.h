@@ -122,6 +122,8 @@ namespace MixedCracks
     {
       dealii::SymmetricTensor<2, dim> stress;         ///< MPa, degraded
       double                          energy_density; ///< MPa, degraded
+      double largest_stretch = 1.; ///< principal; at finite strain
+      double volume_ratio    = 1.; ///< J; at finite strain
     };
     /// Stresses are those of set_state(), the energy that of @p phase_field.
     CellAverages averages(const std::vector<double> &phase_field) const;

@@ -355,6 +355,11 @@ namespace MixedCracks
               index,
               averages.stress[i][j]);
       set("strain_energy_density", index, averages.energy_density);
+      if (material.is_finite())
+      {
+        set("largest_stretch", index, averages.largest_stretch);
+        set("volume_ratio", index, averages.volume_ratio);
+      }
       set("material", index, cells->material(cell));
       if (constants_vary())
         add_constants(cell, index, data);
