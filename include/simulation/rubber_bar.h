@@ -24,8 +24,7 @@ namespace MixedCracks
     /// dW/ds, force per undeformed area, MPa.
     double nominal_stress(double stretch) const;
 
-    /// The stretch at which W is @p energy (MPa); infinity where it is beyond a
-    /// million.
+    /// The stretch at which W is @p energy (MPa).
     double stretch_of_energy(double energy) const;
 
     /// The stretch from which on the nominal stress declines, if there is one

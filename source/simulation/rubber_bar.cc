@@ -14,14 +14,14 @@
 #include <simulation/rubber_bar.h>
 
 #include <cmath>
-#include <limits>
 
 namespace MixedCracks
 {
   namespace
   {
-    // beyond, W is a matter of the continuation of the law
-    constexpr double farthest_stretch = 1e6;
+    // Beyond, 1/sqrt(s) is lost in F_22 - 1; every law goes on as neo-Hooke
+    // there, W in proportion to s^2.
+    constexpr double farthest_stretch = 1e4;
   } // namespace
 
 
@@ -36,6 +36,11 @@ namespace MixedCracks
   double
   RubberBar::energy(const double stretch) const
   {
+    if (stretch > farthest_stretch)
+    {
+      const double factor = stretch / farthest_stretch;
+      return energy(farthest_stretch) * factor * factor;
+    }
     dealii::Tensor<2, 3> gradient;
     gradient[0][0] = stretch - 1.;
     gradient[1][1] = 1. / std::sqrt(stretch) - 1.;
@@ -57,9 +62,10 @@ namespace MixedCracks
   double
   RubberBar::stretch_of_energy(const double wanted) const
   {
+    const double most = energy(farthest_stretch);
+    if (!(wanted < most))
+      return farthest_stretch * std::sqrt(wanted / most);
     double below = 0., above = std::log(farthest_stretch);
-    if (!(energy(farthest_stretch) >= wanted))
-      return std::numeric_limits<double>::infinity();
     for (unsigned int i = 0; i < 50; ++i)
     {
       const double middle = 0.5 * (below + above);
