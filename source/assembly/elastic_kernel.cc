@@ -378,7 +378,7 @@ namespace MixedCracks
     CellAverages result{{}, 0.};
     const double volume = geometry->volume();
     for (unsigned int q = 0; q < states.size(); ++q)
-      result.stress += geometry->weights[q] * responses[q].stress;
+      result.stress += geometry->weights[q] * symmetrize(responses[q].stress);
     result.stress /= volume;
     result.energy_density = energy(phase_field) / volume;
     return result;
