@@ -4,9 +4,12 @@
 
 #include <model/crack_density.h>
 #include <model/degradation.h>
+#include <model/elastic_response.h>
 #include <model/energy_split.h>
+#include <model/finite_strain.h>
 #include <model/point_constants.h>
 #include <model/pressure_law.h>
+#include <model/strains.h>
 
 #include <deal.II/base/symmetric_tensor.h>
 
@@ -29,21 +32,12 @@ namespace MixedCracks
     std::string crack_density;
     std::string energy_split;
     std::string pressure_law;
-    std::string degradation = "quadratic";
-  };
-
-  /// Stress, constraint and their derivatives at one point for a given
-  /// degradation: the integrands of (sigma, eps(w)) and (constraint, q), the
-  /// first two lines of (M5).
-  template <int dim>
-  struct ElasticResponse
-  {
-    dealii::SymmetricTensor<2, dim> stress; ///< g sigma+ + sigma-, MPa
-    dealii::SymmetricTensor<4, dim> stress_by_strain; ///< MPa
-    double stress_by_pressure;     ///< d(stress)/dp = this * I
-    double constraint;             ///< divergence tr(eps) - compliance p
-    double constraint_by_trace;    ///< d(constraint)/d(tr eps)
-    double constraint_by_pressure; ///< 1/MPa, negative
+    std::string degradation      = "quadratic";
+    Strains     strains          = Strains::small;
+    std::string hyperelastic_law = "neo-Hooke";
+    std::string volumetric_form  = "coupled";
+    bool        plane_stress     = false;
+    double      largest_stretch  = 5.;
   };
 
   /// The material at one point: pure functions of strain, pressure and
@@ -55,7 +49,7 @@ namespace MixedCracks
   class Material
   {
   public:
-    using Strain = dealii::SymmetricTensor<2, dim>;
+    using Strain = dealii::Tensor<2, dim>;
 
     explicit Material(const MaterialDescription &description);
 
@@ -178,6 +172,9 @@ namespace MixedCracks
     /// with pressure 0) gives them the same derivatives for the same g;
     /// negative when it cannot be said.
     int tangent_regime(const Strain &strain, double pressure) const;
+
+    bool                     is_finite() const;
+    const FiniteStrain<dim> &finite() const;
 
     const Degradation &
     degradation() const
