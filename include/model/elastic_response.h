@@ -10,10 +10,10 @@ namespace MixedCracks
   template <int dim>
   struct ElasticResponse
   {
-    dealii::Tensor<2, dim> stress;                 ///< sigma or P, MPa
+    dealii::Tensor<2, dim> stress; ///< sigma or P, MPa
     double                 constraint             = 0.;
     double                 constraint_by_pressure = 0.; ///< 1/MPa, negative
-    dealii::SymmetricTensor<4, dim> stress_by_strain; ///< small strain
+    dealii::SymmetricTensor<4, dim> stress_by_strain;   ///< small strain
     double                          stress_by_pressure  = 0.;
     double                          constraint_by_trace = 0.;
     dealii::Tensor<4, dim>          stress_by_gradient; ///< finite strain

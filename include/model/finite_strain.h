@@ -26,7 +26,7 @@ namespace MixedCracks
     ElasticResponse<dim> eliminated(const Gradient &,
                                     double                g,
                                     const PointConstants &at,
-                                    bool with_tangent) const;
+                                    bool                  with_tangent) const;
 
     struct Potential
     {
@@ -34,23 +34,22 @@ namespace MixedCracks
       double volume_change; ///< 1
       double compliance;    ///< 1/MPa
     };
-    Potential potential(const Gradient &,
-                        double                p,
-                        double                g,
-                        const PointConstants &at) const;
-    double    eliminated_energy(const Gradient &,
-                                double                g,
-                                const PointConstants &at) const;
-    static double determinant(const Gradient &);
-    double        volume_ratio(const Gradient &,
-                               double                p,
-                               double                g,
-                               const PointConstants &at) const;
-    dealii::Tensor<2, 3>
-    deformation_gradient(const Gradient &,
-                         double                p,
-                         double                g,
-                         const PointConstants &at) const;
+    Potential            potential(const Gradient &,
+                                   double                p,
+                                   double                g,
+                                   const PointConstants &at) const;
+    double               eliminated_energy(const Gradient &,
+                                           double                g,
+                                           const PointConstants &at) const;
+    static double        determinant(const Gradient &);
+    double               volume_ratio(const Gradient &,
+                                      double                p,
+                                      double                g,
+                                      const PointConstants &at) const;
+    dealii::Tensor<2, 3> deformation_gradient(const Gradient &,
+                                              double                p,
+                                              double                g,
+                                              const PointConstants &at) const;
   };
 } // namespace MixedCracks
 

@@ -15,8 +15,8 @@ namespace MixedCracks
   {
     double lambda; ///< already reduced by (M6) in plane stress; MPa
     double mu;     ///< MPa
-    double critical_energy_release_rate; ///< G_c, N/mm
-    std::array<double, 6> hyperelastic{};  ///< of the law at finite strain
+    double critical_energy_release_rate;  ///< G_c, N/mm
+    std::array<double, 6> hyperelastic{}; ///< of the law at finite strain
   };
 
   /// The constants at a point (mm) of a cell with a material id. Throws
