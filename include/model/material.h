@@ -125,7 +125,8 @@ namespace MixedCracks
     double pressure_after(double                pressure,
                           double                g_before,
                           double                g_after,
-                          const PointConstants &at) const;
+                          const PointConstants &at,
+                          const Strain         &gradient = Strain()) const;
 
     /// gamma(phi, grad phi) = a(phi)/l + b l |grad phi|^2, 1/mm.
     /// @p squared_gradient: |grad phi|^2, 1/mm^2.

@@ -44,13 +44,14 @@ namespace MixedCracks
     {
       const ElasticPoint<dim> &point = states[q];
       const double             g     = degradation(phase_field[q]);
-      sum += geometry->weights[q] *
-             material.elastic_energy(
-               point.gradient,
-               material.pressure_after(
-                 point.pressure, point.degradation, g, constants[q]),
-               g,
-               constants[q]);
+      sum +=
+        geometry->weights[q] *
+        material.elastic_energy(
+          point.gradient,
+          material.pressure_after(
+            point.pressure, point.degradation, g, constants[q], point.gradient),
+          g,
+          constants[q]);
     }
     return sum;
   }
@@ -70,7 +71,9 @@ namespace MixedCracks
     double                    stress = 0., strain = 0.;
     for (unsigned int q = 0; q < states.size(); ++q)
     {
-      stress += responses[q].stress.norm() * geometry->weights[q];
+      const Tensor<2, dim> &here = responses[q].stress;
+      stress += (material.is_finite() ? here.norm() : symmetrize(here).norm()) *
+                geometry->weights[q];
       strain += size_of_strain(states[q].gradient) * geometry->weights[q];
     }
     // a stress times the gradient of a shape function, of the order of 1/h

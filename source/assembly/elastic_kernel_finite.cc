@@ -171,8 +171,8 @@ namespace MixedCracks
   void
   ElasticKernel<dim>::append_compliances(std::vector<double> &weights) const
   {
-    Assert(evaluated != ElasticEvaluation::points,
-           ExcMessage("The stresses have not been evaluated."));
+    Assert(evaluated == ElasticEvaluation::tangents,
+           ExcMessage("The tangents have not been evaluated."));
     for (unsigned int q = 0; q < states.size(); ++q)
       weights.push_back(-geometry->weights[q] *
                         responses[q].constraint_by_pressure);

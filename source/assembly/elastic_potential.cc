@@ -75,7 +75,7 @@ namespace MixedCracks
     assembler.visit_states(
       state,
       lagged_phase_field,
-      ElasticEvaluation::stresses,
+      ElasticEvaluation::tangents,
       [&](const unsigned int cell, const ElasticKernel<dim> &kernel) {
         sum += kernel.potential();
         kernel.append_compliances(compliances);

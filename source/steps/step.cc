@@ -282,11 +282,9 @@ namespace MixedCracks
   {
     start_lagged_field(accepted, trial);
     trial.phase_field = accepted.phase_field;
-    const NewtonOutcome outcome =
-      elastic.predict(accepted, trial, newton_options);
     log.line("  coupl  |r_u| in       out   out |r_p| active"
              "  changes    sets newton  linear  |phi-phi~| factor");
-    return outcome;
+    return elastic.predict(accepted, trial, newton_options);
   }
 
 

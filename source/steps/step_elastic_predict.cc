@@ -21,6 +21,7 @@
 #include <steps/step_elastic.h>
 
 #include <algorithm>
+#include <cmath>
 
 namespace MixedCracks
 {
@@ -118,7 +119,11 @@ namespace MixedCracks
                                       const State         &trial,
                                       const NewtonOptions &options)
   {
-    evaluate_residual(trial);
+    if (!std::isfinite(evaluate_residual(trial).largest()))
+      return {false,
+              0,
+              "the forces of the state before the step are not "
+              "finite on this mesh"};
     const LinearOutcome matrix = update_matrix(false, options);
     if (!matrix.success)
       return matrix;
