@@ -4,7 +4,9 @@
 
 namespace MixedCracks
 {
-  /// How the strain is measured.
+  /// Which measure of strain the material knows: the symmetric gradient of the
+  /// displacement (M1) to (M10), or the deformation gradient F = I + grad u
+  /// (M11) to (M15).
   enum class Strains
   {
     small,
