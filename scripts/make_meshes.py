@@ -7,11 +7,11 @@
 Block meshes, coarse: the .prm refines them where the crack is to run. Every mesh
 of the plane is a list of grid lines in two directions, a rule for nodes that are
 doubled along slits, a place for every node, and names for pieces of the
-boundary. The mesh in 3-d is made of nested cubes, one of which is drawn out to a
-sphere.
+boundary. Meshes in 3-d are made of nested cubes that are drawn out to spheres.
 """
 
 import itertools
+import math
 import os
 import sys
 
@@ -168,12 +168,67 @@ def block_with_inclusion(path):
                + [(3, "matrix"), (3, "inclusion")], points, elements)
 
 
+def thick_cylinder(path):
+    """A quarter of a ring, radii 1 and 2 mm."""
+    n = 4
+
+    def boundary_of(radius, angle, side):
+        if min(abs(angle), abs(angle - math.pi / 2.)) < 1e-9:
+            return "bottom" if angle < 1. else "left"
+        return "inner" if radius < 1.5 else "outer"
+
+    write_mesh(path, [1. + i / n for i in range(n + 1)],
+               [0.5 * math.pi * j / n for j in range(n + 1)], boundary_of,
+               ["inner", "outer", "bottom", "left"],
+               lambda radius, angle, side: (radius * math.cos(angle),
+                                            radius * math.sin(angle)))
+
+
+def thick_sphere(path):
+    """An eighth of a spherical shell, radii 1 and 2 mm: the three far sides of a
+    cube of n^3, drawn out to spheres, in layers."""
+    n, n_layers = 2, 2
+    nodes, points = {}, []
+
+    def node(corner, layer):
+        if (corner, layer) not in nodes:
+            angles = [math.tan(0.25 * math.pi * i / n) for i in corner]
+            size = sum(x * x for x in angles) ** 0.5
+            radius = 1. + layer / n_layers
+            points.append(tuple(radius * x / size for x in angles))
+            nodes[corner, layer] = len(points)
+        return nodes[corner, layer]
+
+    elements = []
+    quads = [quad for _, end, quad in sides_of_cube(n) if end]
+    for quad in quads:
+        for layer, tag in ((0, 1), (n_layers, 2)):
+            elements.append((3, tag, tuple(node(c, layer) for c in quad)))
+        for a, b in zip(quad, quad[1:] + quad[:1]):
+            for axis in range(3):
+                if a[axis] == b[axis] == 0:
+                    for layer in range(n_layers):
+                        elements.append((3, 3 + axis, (
+                            node(a, layer), node(b, layer),
+                            node(b, layer + 1), node(a, layer + 1))))
+        for layer in range(n_layers):
+            elements.append((5, 6, tuple(node(c, layer + up) for up in (0, 1)
+                                         for c in quad)))
+    elements.sort(key=lambda element: (element[0], element[1]))
+    write_gmsh(path, [(2, name) for name in ("inner", "outer", "left", "bottom",
+                                             "back")] + [(3, "shell")],
+               [tuple(0. if abs(x) < 1e-14 else x for x in point)
+                for point in points], elements)
+
+
 def main():
     here = os.path.dirname(os.path.abspath(__file__))
     where = sys.argv[1] if len(sys.argv) > 1 else os.path.join(
         here, "..", "meshes")
     bending_beam(os.path.join(where, "bending_beam.msh"))
     block_with_inclusion(os.path.join(where, "block_with_inclusion.msh"))
+    thick_cylinder(os.path.join(where, "thick_cylinder.msh"))
+    thick_sphere(os.path.join(where, "thick_sphere.msh"))
 
 
 if __name__ == "__main__":

@@ -29,6 +29,8 @@ namespace MixedCracks
     double degradation_change;
     /// number of quadrature points whose split changed its regime since then
     double regime_changes;
+    /// at finite strain the largest change of F since then, relative to F
+    double deformation_change;
   };
 
   /// Energies per mm of thickness (N), in 3-d in mJ.
@@ -37,6 +39,9 @@ namespace MixedCracks
     double elastic       = 0.;
     double crack         = 0.;
     double crack_surface = 0.; ///< integral of the crack density; mm, 3-d mm^2
+    /// of all quadrature points the smallest det F, of the plane in 2-d; 1 at
+    /// small strain
+    double smallest_jacobian = 1.;
   };
 
   /// D = sigma+ : eps = 2 psi+, of Material::driving_force(), at the quadrature
@@ -96,6 +101,12 @@ namespace MixedCracks
                         LinearAlgebra::SparseMatrix &matrix);
 
     bool
+    is_finite() const
+    {
+      return material.is_finite();
+    }
+
+    bool
     elastic_matrix_is_symmetric() const
     {
       return elastic_kernel.jacobian_is_symmetric();
@@ -109,6 +120,45 @@ namespace MixedCracks
                                const CellGeometry<dim> &,
                                const std::vector<ElasticResponse<dim>> &)>
         &body);
+
+    /// Call @p body with number and state of every owned cell.
+    void visit_states(
+      const Vector     &elastic,
+      const Vector     &lagged_phase_field,
+      ElasticEvaluation wanted,
+      const std::function<void(unsigned int, const ElasticKernel<dim> &)>
+        &body);
+
+    /// For what does not depend on the cell.
+    const ElasticKernel<dim> &
+    kernel() const
+    {
+      return elastic_kernel;
+    }
+
+    /// Positions of the dofs of the cells that are visited.
+    CellDofs<dim> &
+    elastic_dofs()
+    {
+      return cells->elastic;
+    }
+
+    /// Of the state of the last elastic_residual() the Jacobian times
+    /// @p direction, whose hanging nodes fit: in all rows and with all columns,
+    /// those of prescribed dofs among them.
+    void tangent_times(const Vector      &direction,
+                       const Constraints &hanging_nodes,
+                       Vector            &result);
+
+    /// Of all quadrature points the smallest det F, of the plane in 2-d; 1 at
+    /// small strain. Not above 0: cells are turned inside out.
+    double smallest_determinant(const Vector &elastic,
+                                const Vector &lagged_phase_field);
+
+    /// Of (u, p) with the degradation of @p lagged_phase_field, by the law; N
+    /// (mJ per mm thickness).
+    double stored_energy(const Vector &elastic,
+                         const Vector &lagged_phase_field);
 
     /// Nodal forces of a body force (N/mm^3) and of tractions (MPa) by
     /// boundary id, per mm thickness, added to @p forces.
@@ -161,6 +211,11 @@ namespace MixedCracks
                       const Vector     &elastic,
                       const Vector     &lagged_phase_field,
                       ElasticEvaluation wanted);
+
+    /// Add averages of the state of one cell.
+    void add_averages(const typename ElasticKernel<dim>::CellAverages &averages,
+                      unsigned int                                     index,
+                      CellData<dim> &data) const;
 
     /// Add averages of the constants of one cell.
     void add_constants(unsigned int   cell,

@@ -70,6 +70,7 @@ namespace MixedCracks
     const Constraints<dim>  &constraints;
     ScalarShapes<dim>        shapes; // linear
     LinearDisplacements<dim> linear_displacements;
+    bool                     is_finite = false; // finite strain
 
     /// of owned cells, in the order of CellTable
     std::vector<Indices> vertex_dofs;

@@ -18,11 +18,15 @@ namespace MixedCracks
   template <int dim>
   struct ElasticPoint
   {
-    dealii::SymmetricTensor<2, dim> strain;
-    double                          pressure;    ///< MPa
-    double                          degradation; ///< g
-    int tangent_regime; ///< see Material::tangent_regime()
+    dealii::Tensor<2, dim> gradient;    ///< of u
+    double                 pressure;    ///< MPa
+    double                 degradation; ///< g
+    /// see Material::tangent_regime(), or tangent_of_finite_strain
+    int tangent_regime;
   };
+
+  /// The regime of a point whose tangent is another one in every state.
+  constexpr int tangent_of_finite_strain = -2;
 
   /// What ElasticKernel::set_state() evaluates: nothing but the points, which
   /// do for energy(), the stresses as well, which do for all but jacobian(),
@@ -38,8 +42,10 @@ namespace MixedCracks
   ///
   ///   (g sigma+ + sigma-, eps(w)) = 0,   (constraint of p, q) = 0,
   ///
-  /// the first two lines of (M5) for a given degradation g. Works on local
-  /// vectors only, per unit thickness. The .cc has the blocks.
+  /// the first two lines of (M5) for a given degradation g; at finite strain
+  /// (M13) with the first Piola-Kirchhoff stress, integrated over the reference
+  /// configuration. Works on local vectors only, per unit thickness. The .cc
+  /// has the blocks.
   template <int dim>
   class ElasticKernel
   {
@@ -96,7 +102,7 @@ namespace MixedCracks
     bool
     jacobian_is_symmetric() const
     {
-      return !mixed || material.mixed_is_symmetric();
+      return !mixed || material.is_finite() || material.mixed_is_symmetric();
     }
 
     /// Degraded elastic energy of the cell, N (mJ per mm thickness).
@@ -120,14 +126,46 @@ namespace MixedCracks
     /// Averages over the cell for the output, undegraded strain included.
     struct CellAverages
     {
-      dealii::SymmetricTensor<2, dim> stress;         ///< MPa, degraded
+      /// MPa, degraded; at finite strain that of Cauchy
+      dealii::SymmetricTensor<2, dim> stress;
       double                          energy_density; ///< MPa, degraded
+      /// 1 at small strain
+      double largest_stretch; ///< of the three principal ones
+      double volume_ratio;    ///< J
     };
     /// Stresses are those of set_state(), the energy that of @p phase_field.
     CellAverages averages(const std::vector<double> &phase_field) const;
 
+    // At finite strain, for Newton's method.
+
+    /// Of the quadrature points the smallest det F, that of the plane in 2-d;
+    /// 1 at small strain. Not above 0: the cell is turned inside out.
+    double smallest_determinant() const;
+
+    /// What residual() is the derivative of by the displacements, N: the
+    /// stored energy, infinite where it is turned inside out; in the mixed
+    /// formulation of the given pressure, and residual() is its derivative by
+    /// the pressure too.
+    double potential() const;
+
+    /// At each quadrature point minus the second derivative of potential() by
+    /// the pressure times its weight: mm^2/MPa, appended to @p weights.
+    void append_compliances(std::vector<double> &weights) const;
+
+    /// The mass matrix of the pressure with the weights of this cell, which
+    /// start at @p weights, times @p local; mm^2.
+    void pressure_mass(const double                 *weights,
+                       const dealii::Vector<double> &local,
+                       dealii::Vector<double>       &result) const;
+
+    /// Its diagonal; 0 for displacements.
+    void pressure_mass_diagonal(const double           *weights,
+                                dealii::Vector<double> &result) const;
+
   private:
     void evaluate_responses(ElasticEvaluation wanted);
+
+    int tangent_regime(const ElasticPoint<dim> &point) const;
 
     double degradation(double phase_field) const;
 
@@ -136,6 +174,19 @@ namespace MixedCracks
 
     void pressure_blocks(unsigned int                q,
                          dealii::FullMatrix<double> &result) const;
+
+    void finite_displacement_block(unsigned int                q,
+                                   dealii::FullMatrix<double> &result) const;
+
+    void finite_pressure_blocks(unsigned int                q,
+                                dealii::FullMatrix<double> &result) const;
+
+    void add_block_of_pressure(unsigned int                q,
+                               dealii::FullMatrix<double> &result) const;
+
+    double size_of_strain(const dealii::Tensor<2, dim> &gradient) const;
+
+    void add_finite(unsigned int q, CellAverages &sum) const;
 
     const Material<dim>     &material;
     const bool               mixed;

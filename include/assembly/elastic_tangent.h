@@ -14,6 +14,8 @@ namespace MixedCracks
     double degradation = 0.; ///< largest relative change of g
     /// number of quadrature points whose split changed its regime
     double regime_changes = 0.;
+    /// at finite strain the largest change of F, relative to F
+    double deformation = 0.;
   };
 
   /// The present state at the quadrature points of the owned cells, and the one
@@ -45,7 +47,7 @@ namespace MixedCracks
       return &matrix_states[std::size_t(cell) * n_points];
     }
 
-    /// Add one cell to @p distance.
+    /// Add one cell to @p distance. At finite strain no regime changes.
     void compare(unsigned int cell, TangentDistance &distance) const;
 
     /// Cells whose part of the matrix is another one now.

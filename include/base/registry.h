@@ -53,6 +53,16 @@ namespace MixedCracks
       return result;
     }
 
+    /// The sentence on @p name, which has to be one of names().
+    const std::string &
+    description(const std::string &name) const
+    {
+      for (const Entry &entry : entries)
+        if (entry.name == name)
+          return entry.description;
+      throw InputError(kind + ": " + unknown_name_message(name, names()));
+    }
+
     /// The names as dealii::Patterns::Selection wants them.
     std::string
     selection() const

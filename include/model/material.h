@@ -4,134 +4,113 @@
 
 #include <model/crack_density.h>
 #include <model/degradation.h>
+#include <model/elastic_response.h>
 #include <model/energy_split.h>
+#include <model/finite_strain.h>
+#include <model/material_description.h>
 #include <model/point_constants.h>
 #include <model/pressure_law.h>
 
 #include <deal.II/base/symmetric_tensor.h>
 
 #include <memory>
-#include <optional>
-#include <string>
 
 namespace MixedCracks
 {
-  /// Everything a Material is composed of, by name and by number.
-  struct MaterialDescription
-  {
-    /// those that hold everywhere; none where they vary from point to point
-    std::optional<PointConstants> constants;
-
-    double      length_scale;       ///< l, mm
-    double      residual_stiffness; ///< kappa, dimensionless
-    double      relaxation;         ///< c of (1-g)/(g c mu), see (M8)
-    int         deviator_dimension; ///< n of dev_n: 2 or 3
-    std::string crack_density;
-    std::string energy_split;
-    std::string pressure_law;
-    std::string degradation = "quadratic";
-  };
-
-  /// Stress, constraint and their derivatives at one point for a given
-  /// degradation: the integrands of (sigma, eps(w)) and (constraint, q), the
-  /// first two lines of (M5).
-  template <int dim>
-  struct ElasticResponse
-  {
-    dealii::SymmetricTensor<2, dim> stress; ///< g sigma+ + sigma-, MPa
-    dealii::SymmetricTensor<4, dim> stress_by_strain; ///< MPa
-    double stress_by_pressure;     ///< d(stress)/dp = this * I
-    double constraint;             ///< divergence tr(eps) - compliance p
-    double constraint_by_trace;    ///< d(constraint)/d(tr eps)
-    double constraint_by_pressure; ///< 1/MPa, negative
-  };
-
-  /// The material at one point: pure functions of strain, pressure and
-  /// phase field. In the displacement formulation the pressure is eliminated
-  /// with the constraint: pressure() returns it, and eliminated() the stress.
+  /// The material at one point: pure functions of the displacement gradient
+  /// (no unit), pressure and phase field. At small strains only the symmetric
+  /// part of the gradient counts, and a strain does in its place; at finite
+  /// strain FiniteStrain answers. In the displacement formulation the pressure
+  /// is eliminated with the constraint: pressure() returns it, and eliminated()
+  /// the stress.
   /// @p at: the constants of that point; without it, those that are the same
   /// everywhere.
   template <int dim>
   class Material
   {
   public:
-    using Strain = dealii::SymmetricTensor<2, dim>;
+    using Gradient = dealii::Tensor<2, dim>;
 
     explicit Material(const MaterialDescription &description);
 
     /// Mixed formulation. @p g: degradation of the lagged phase field.
-    /// Without @p with_tangent, stress_by_strain is 0, and it is done in half
-    /// the time.
-    ElasticResponse<dim> mixed(const Strain         &strain,
+    /// Without @p with_tangent, the derivatives are not valid, and it is done
+    /// in half the time.
+    ElasticResponse<dim> mixed(const Gradient       &gradient,
                                double                pressure,
                                double                g,
                                const PointConstants &at,
                                bool                  with_tangent = true) const;
 
     ElasticResponse<dim>
-    mixed(const Strain &strain, const double pressure, const double g) const
+    mixed(const Gradient &gradient, const double pressure, const double g) const
     {
-      return mixed(strain, pressure, g, uniform_constants());
+      return mixed(gradient, pressure, g, uniform_constants());
     }
 
-    /// Displacement formulation: only stress and stress_by_strain are set,
+    /// Displacement formulation: only stress and its derivative by the
+    /// strain or gradient are set,
     /// the other members are 0.
-    ElasticResponse<dim> eliminated(const Strain         &strain,
+    ElasticResponse<dim> eliminated(const Gradient       &gradient,
                                     double                g,
                                     const PointConstants &at,
                                     bool with_tangent = true) const;
 
     ElasticResponse<dim>
-    eliminated(const Strain &strain, const double g) const
+    eliminated(const Gradient &gradient, const double g) const
     {
-      return eliminated(strain, g, uniform_constants());
+      return eliminated(gradient, g, uniform_constants());
     }
 
     /// The p for which the constraint holds at this strain; MPa.
-    double
-    pressure(const Strain &strain, double g, const PointConstants &at) const;
+    double pressure(const Gradient       &gradient,
+                    double                g,
+                    const PointConstants &at) const;
 
     double
-    pressure(const Strain &strain, const double g) const
+    pressure(const Gradient &gradient, const double g) const
     {
-      return pressure(strain, g, uniform_constants());
+      return pressure(gradient, g, uniform_constants());
     }
 
     /// D = sigma+ : eps = 2 psi+, what drives the crack, undegraded; MPa.
-    double driving_force(const Strain         &strain,
+    double driving_force(const Gradient       &gradient,
                          double                pressure,
                          double                g,
                          const PointConstants &at) const;
 
     double
-    driving_force(const Strain &strain,
-                  const double  pressure,
-                  const double  g) const
+    driving_force(const Gradient &gradient,
+                  const double    pressure,
+                  const double    g) const
     {
-      return driving_force(strain, pressure, g, uniform_constants());
+      return driving_force(gradient, pressure, g, uniform_constants());
     }
 
-    /// Stored elastic energy density, degraded: half of stress : strain; MPa.
-    double elastic_energy(const Strain         &strain,
+    /// Stored elastic energy density, degraded: MPa. Small strains: half
+    /// of stress : strain.
+    double elastic_energy(const Gradient       &gradient,
                           double                pressure,
                           double                g,
                           const PointConstants &at) const;
 
     double
-    elastic_energy(const Strain &strain,
-                   const double  pressure,
-                   const double  g) const
+    elastic_energy(const Gradient &gradient,
+                   const double    pressure,
+                   const double    g) const
     {
-      return elastic_energy(strain, pressure, g, uniform_constants());
+      return elastic_energy(gradient, pressure, g, uniform_constants());
     }
 
     /// What @p pressure, which the constraint gave for the degradation
     /// @p g_before, becomes when the constraint is that of @p g_after and the
-    /// strain stays: MPa. It keeps its sign.
+    /// displacement stays: MPa. It keeps its sign. @p gradient counts in plane
+    /// stress at finite strain only.
     double pressure_after(double                pressure,
                           double                g_before,
                           double                g_after,
-                          const PointConstants &at) const;
+                          const PointConstants &at,
+                          const Gradient       &gradient = Gradient()) const;
 
     /// gamma(phi, grad phi) = a(phi)/l + b l |grad phi|^2, 1/mm.
     /// @p squared_gradient: |grad phi|^2, 1/mm^2.
@@ -163,7 +142,7 @@ namespace MixedCracks
     bool
     is_linear_when_intact() const
     {
-      return split->adds_up();
+      return !is_finite() && split->adds_up();
     }
 
     /// Whether the derivatives of mixed() form a symmetric matrix for every
@@ -171,13 +150,26 @@ namespace MixedCracks
     bool
     mixed_is_symmetric() const
     {
-      return pressure_law->is_symmetric();
+      return is_finite() || pressure_law->is_symmetric();
     }
 
     /// A number that two points share exactly when mixed() (or eliminated(),
     /// with pressure 0) gives them the same derivatives for the same g;
-    /// negative when it cannot be said.
-    int tangent_regime(const Strain &strain, double pressure) const;
+    /// negative when it cannot be said, as at finite strain.
+    int tangent_regime(const Gradient &gradient, double pressure) const;
+
+    bool
+    is_finite() const
+    {
+      return finite_strain != nullptr;
+    }
+
+    /// At finite strain only.
+    const FiniteStrain<dim> &
+    finite() const
+    {
+      return *finite_strain;
+    }
 
     const Degradation &
     degradation() const
@@ -212,11 +204,13 @@ namespace MixedCracks
                                                bool                  tension,
                                                const PointConstants &at) const;
 
-    MaterialDescription               composition;
-    std::unique_ptr<Degradation>      degradation_function;
-    std::unique_ptr<CrackDensity>     density;
-    std::unique_ptr<EnergySplit<dim>> split;
-    std::unique_ptr<PressureLaw>      pressure_law;
+    MaterialDescription           composition;
+    std::unique_ptr<Degradation>  degradation_function;
+    std::unique_ptr<CrackDensity> density;
+    /// the two at small strains, the third at finite strain
+    std::unique_ptr<EnergySplit<dim>>  split;
+    std::unique_ptr<PressureLaw>       pressure_law;
+    std::unique_ptr<FiniteStrain<dim>> finite_strain;
   };
 } // namespace MixedCracks
 

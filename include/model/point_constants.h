@@ -5,16 +5,27 @@
 #include <deal.II/base/point.h>
 #include <deal.II/base/types.h>
 
+#include <array>
 #include <functional>
 
 namespace MixedCracks
 {
+  /// The constants of a law of rubber, in the order of
+  /// HyperelasticLaw::constant_names(), the rest 0.
+  using HyperelasticConstants = std::array<double, 6>;
+
   /// The constants of the material that may differ from point to point.
   struct PointConstants
   {
-    double lambda; ///< already reduced by (M6) in plane stress; MPa
-    double mu;     ///< MPa
+    /// MPa. Small strains: already reduced by (M6) in plane stress; finite
+    /// strain: that of three dimensions, K - 2 mu/3.
+    double lambda;
+    /// MPa. Finite strain: the one at F = I, HyperelasticLaw::mu().
+    double mu;
     double critical_energy_release_rate; ///< G_c, N/mm
+
+    /// Finite strain only. Neo-Hooke takes mu where this is all 0.
+    HyperelasticConstants hyperelastic{};
   };
 
   /// The constants at a point (mm) of a cell with a material id. Throws

@@ -6,6 +6,7 @@
 
 #include <deal.II/base/point.h>
 
+#include <problem/law_constants.h>
 #include <problem/material_parameters.h>
 
 #include <array>
@@ -24,7 +25,8 @@ namespace MixedCracks
     /// @p texts: by entry name; @p where: what messages put before the name,
     /// as "Material/". Throws InputError for what cannot be understood.
     MaterialConstants(const MaterialParameters::Texts &texts,
-                      const std::string               &where);
+                      const std::string               &where,
+                      const StrainParameters          &strains = {});
 
     bool
     varies() const
@@ -50,7 +52,18 @@ namespace MixedCracks
 
     MaterialValues compute(const Variables &variables) const;
 
+    /// Of a law with constants of its own; @p values: by name.
+    MaterialValues compute_of_law(GivenElasticConstants                given,
+                                  const std::map<std::string, double> &values,
+                                  double toughness) const;
+
+    /// Lame's pair; messages name the material id.
+    ElasticConstants elastic_pair(const GivenElasticConstants &given) const;
+
+    std::string                   where;
     std::string                   of_material_id; // in messages, or empty
+    LawConstants                  law;
+    bool                          is_of_law; // and not of a pair
     std::vector<Entry>            entries;
     std::optional<MaterialValues> constant;
   };

@@ -27,6 +27,8 @@ namespace MixedCracks
     std::string length_scale        = "2*h";
     std::string residual_stiffness  = "0.001";
 
+    StrainParameters strain;
+
     /// Enters the subsection itself.
     void add_parameters(dealii::ParameterHandler &prm);
 
@@ -47,7 +49,15 @@ namespace MixedCracks
     /// n of (M3) for a @p dim -dimensional problem.
     int deviator(int dim) const;
 
-    /// The constants of the law: reduced by (M6) in plane stress.
+    bool
+    is_plane_stress(const int dim) const
+    {
+      return dim == 2 && kinematics == "plane stress";
+    }
+
+    /// The constants of the law: at small strain reduced by (M6) in plane
+    /// stress. At finite strain F_33 follows at each point (M14), and they are
+    /// those of space.
     ElasticConstants in_kinematics(const ElasticConstants &constants,
                                    int                     dim) const;
 

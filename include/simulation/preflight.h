@@ -7,6 +7,7 @@
 #include <discretization/slit_faces.h>
 
 #include <simulation/body.h>
+#include <simulation/simulation_plausibility.h>
 
 #include <string>
 #include <vector>
@@ -45,6 +46,11 @@ namespace MixedCracks
     void report_slits(const std::vector<SlitFace<dim>> &slits) const;
     void find_warnings();
     void warn_of_model();
+
+    /// What an even bar bears, of rubber at finite strain where it can be told.
+    ImpliedStrength strength() const;
+
+    bool is_even_rubber() const;
 
     std::string kinematics() const;
 

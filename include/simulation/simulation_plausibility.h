@@ -4,6 +4,7 @@
 
 #include <model/crack_density.h>
 
+#include <simulation/rubber_bar.h>
 #include <simulation/simulation_load_size.h>
 #include <simulation/simulation_material.h>
 
@@ -15,7 +16,10 @@ namespace MixedCracks
     std::string crack_density;
     double      factor; ///< sigma_c = factor sqrt(E G_c / l)
     Range       stress; ///< sigma_c, MPa
-    Range       strain; ///< epsilon_c
+    Range       strain; ///< epsilon_c; at finite strain the stretch less 1
+    /// up to which a law of rubber is itself, infinity for neo-Hooke; nothing
+    /// where strength is that of small strains
+    std::optional<double> stretch_of_use{};
   };
 
   /// Extremes of constants that vary need not meet at a point: the ranges are
@@ -23,6 +27,17 @@ namespace MixedCracks
   ImpliedStrength implied_strength(const std::string   &crack_density,
                                    const MaterialRange &material,
                                    double               length_scale);
+
+  /// Of rubber that is the same everywhere: nominal stress of an
+  /// incompressible bar. @p toughness: G_c, N/mm; @p length_scale: mm.
+  ImpliedStrength implied_strength(const std::string         &crack_density,
+                                   const MaterialDescription &rubber,
+                                   double                     toughness,
+                                   double                     length_scale);
+
+  /// Whether the nominal stress of a bar falls before its stretch of use: a
+  /// sentence, or "".
+  std::string warning_about_decline(const MaterialDescription &rubber);
 
   /// In one sentence, for the log.
   std::string in_words(const ImpliedStrength &strength);

@@ -18,6 +18,9 @@ namespace MixedCracks
   {
     double displacement = 0.;
     double pressure     = 0.;
+    /// what they are relative to, for states in which these terms differ much
+    double displacement_scale = 1.;
+    double pressure_scale     = 1.;
 
     /// NaN where one of them is.
     double
@@ -25,6 +28,20 @@ namespace MixedCracks
     {
       return displacement > pressure || std::isnan(displacement) ? displacement
                                                                  : pressure;
+    }
+
+    /// The same relative to the terms that cancelled in @p other.
+    ResidualSize
+    relative_to(const ResidualSize &other) const
+    {
+      const auto ratio = [](const double scale, const double of_other) {
+        return of_other > 0. ? scale / of_other : 1.;
+      };
+      return {displacement *
+                ratio(displacement_scale, other.displacement_scale),
+              pressure * ratio(pressure_scale, other.pressure_scale),
+              other.displacement_scale,
+              other.pressure_scale};
     }
   };
 
@@ -37,8 +54,13 @@ namespace MixedCracks
     /// after so many iterations any reduction is enough; 0: off
     unsigned int enough_iterations = 0;
     unsigned int max_bisections    = 6; ///< of the line search
+    /// the same where it descends on a potential or is kept off a barrier
+    unsigned int max_guarded_bisections = 20;
     /// an old matrix is given up when it reduces the residual by less
     double required_reduction = 0.3;
+    /// at finite strain an old matrix is tried where F has changed by less than
+    /// this since then, relative to F
+    double largest_deformation_change = 0.02;
     /// iterative solvers reduce the residual by this at first ...
     double loose_linear_tolerance = 1e-3;
     /// ... and never by less than this
@@ -71,6 +93,21 @@ namespace MixedCracks
     /// Whether to leave without a solution; may be empty. The same on every
     /// rank.
     std::function<bool()> is_to_stop;
+
+    // With the first of these the line search is another one.
+
+    /// Whether the present iterate is one at all, as one that is turned inside
+    /// out is not; the residual of others is not asked for. May be empty.
+    std::function<bool()> is_admissible;
+    /// What the residual is the gradient of, by the unknowns that are not
+    /// multipliers, at the present iterate; may be empty, or no number.
+    std::function<double()> potential;
+    /// Its derivative along the correction, where potential() was asked for
+    /// last.
+    std::function<double()> slope;
+    /// Whether the solution is a minimum of the potential: the residual alone
+    /// is no reason to take a step that leads up.
+    bool is_minimum = false;
   };
 
   /// Semismooth Newton with bisection line search. Between the kinks of the
@@ -78,7 +115,10 @@ namespace MixedCracks
   /// old matrix is used as long as it contracts. The tolerance of the linear
   /// solves follows from how far the last linear model was off (Eisenstat and
   /// Walker, SIAM J. Sci. Comput. 17 (1996), choice 1), and is never below
-  /// what the target asks for.
+  /// what the target asks for. Where iterates may be inadmissible, the line
+  /// search of line_search.h: an iteration that finds no step is repeated with
+  /// a new matrix, and is the end if that is one already; the iterate is then
+  /// where it was.
   NewtonOutcome solve_newton(const NewtonProblem &problem,
                              const NewtonOptions &options);
 } // namespace MixedCracks

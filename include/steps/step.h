@@ -92,7 +92,11 @@ namespace MixedCracks
     /// With any coupling, the initial state is.
     bool is_iterated(const State &trial) const;
 
-    void start(const State &accepted, State &trial);
+    /// Sets the phase fields and the prediction of the elastic ones.
+    NewtonOutcome start(const State &accepted, State &trial);
+
+    /// Whether the trial, of another mesh, is where the step goes on.
+    bool goes_on(const StepOutcome &so_far, const State &trial) const;
 
     void start_lagged_field(const State &accepted, State &trial) const;
 
@@ -106,7 +110,7 @@ namespace MixedCracks
                                        StepOutcome           &outcome);
 
     /// @p factor: length of the step to this iteration over a plain one.
-    void look_for_rest(double factor, StepOutcome &outcome);
+    void look_for_rest(const State &trial, double factor, StepOutcome &outcome);
 
     /// The outcome of a step that was not solved, for @p reason or because the
     /// run is to stop.

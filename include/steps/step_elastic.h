@@ -4,6 +4,7 @@
 
 #include <assembly/assembler.h>
 #include <assembly/auxiliary_matrices.h>
+#include <assembly/elastic_potential.h>
 #include <assembly/fluid_assembler.h>
 
 #include <base/stop_request.h>
@@ -58,9 +59,18 @@ namespace MixedCracks
     /// To be called when the mesh changed.
     LinearOutcome reinit();
 
-    /// A start for the step to trial.time from the accepted state: scaled
-    /// where the load is proportional, which is exact while nothing breaks.
-    void predict(const State &accepted, State &trial) const;
+    /// A start for the step to trial.time from the accepted state, with
+    /// trial.lagged_phase_field. At small strain: scaled where the load is
+    /// proportional, which is exact while nothing breaks. At finite strain:
+    /// along the tangent, by way of equilibria in between where cells would be
+    /// turned inside out otherwise; the outcome says why where there is none,
+    /// and counts the iterations.
+    NewtonOutcome
+    predict(const State &accepted, State &trial, const NewtonOptions &options);
+
+    /// Whether no cell is turned inside out: det F > 0 at all quadrature
+    /// points. Always so at small strain. Collective.
+    bool is_admissible(const State &state) const;
 
     /// Solve for trial.elastic with trial.lagged_phase_field; sets
     /// trial.reaction too. Where Newton's method cycles between the regimes
@@ -88,9 +98,10 @@ namespace MixedCracks
     /// supports, and of the fluid in the cracks; N (mJ per mm thickness).
     double external_work(const State &before, const State &after) const;
 
-    /// Loads and reactions times the displacements they act on, after solve():
-    /// twice the stored energy of (u, p) found there; N mm per mm thickness.
-    double loads_times_displacements() const;
+    /// Of the state that solve() left, with its lagged phase field; N (mJ per
+    /// mm thickness). At small strain half of loads and reactions times the
+    /// displacements they act on.
+    double stored_energy(const State &state) const;
 
     const Counts &
     counts() const
@@ -109,6 +120,40 @@ namespace MixedCracks
     std::string linear_solver_in_words() const;
 
   private:
+    NewtonOutcome predict_along_tangent(const State         &accepted,
+                                        State               &trial,
+                                        const NewtonOptions &options);
+
+    void predict_in_proportion(const State &accepted, State &trial) const;
+
+    LinearAlgebra::Vector prescribed_increment(const State &trial) const;
+
+    /// Set `correction` to the displacements that @p change of the forces and
+    /// @p prescribed, the increment of prescribed displacements, lead to along
+    /// the tangent at @p trial, whose forces are in `external`.
+    LinearOutcome tangent_increment(const LinearAlgebra::Vector &change,
+                                    const LinearAlgebra::Vector &prescribed,
+                                    const State                 &trial,
+                                    const NewtonOptions         &options);
+
+    /// Move @p trial along `correction`, by the first of 1, 1/2, ... that
+    /// turns no cell inside out; 0: there is none.
+    double move_along_correction(State &trial);
+
+    /// Both; 0 with the reason in @p outcome, or the fraction.
+    double take_increment(const LinearAlgebra::Vector &change,
+                          const LinearAlgebra::Vector &prescribed,
+                          State                       &trial,
+                          const NewtonOptions         &options,
+                          NewtonOutcome               &outcome);
+
+    bool equilibrate_on_the_way(State               &trial,
+                                const NewtonOptions &options,
+                                NewtonOutcome       &outcome);
+
+    /// What keeps Newton's method among states that are none inside out.
+    void guard(NewtonProblem &problem, const State &trial);
+
     /// Newton's method from trial.elastic, once.
     NewtonOutcome solve_once(State &trial, const NewtonOptions &options);
 
@@ -139,7 +184,7 @@ namespace MixedCracks
 
     ResidualSize evaluate_residual(const State &trial);
 
-    LinearOutcome update_matrix(bool force);
+    LinearOutcome update_matrix(bool force, const NewtonOptions &options);
 
     LinearOutcome solve_for_correction(double relative_tolerance);
 
@@ -164,6 +209,7 @@ namespace MixedCracks
     LinearAlgebra::Vector         correction;
     LinearAlgebra::Vector         external;
     ElasticAssessment             assessment;
+    ElasticPotential<dim>         potential; // at finite strain
     /// whether any place that the present correction led to has another regime
     /// of the split than the matrix
     bool   crosses_regimes = false;

@@ -209,7 +209,8 @@ def body_section(results, drawn):
     artist = solids if solids.is_solid(end_fields) else pictures
     bodies = []
     for time, text, fields in [d for d in drawn[:-1] if "peak" in d[1]] + [drawn[-1]]:
-        scale = pictures.deformation_scale(fields) \
+        scale = pictures.deformation_scale(
+            fields, results.parameter("Model/Strains") == "finite") \
             if "displacement" in fields.data else None
         if scale is not None:
             bodies.append((time, text, fields, scale))

@@ -166,14 +166,15 @@ def mesh_picture(fields):
     return png_of(figure)
 
 
-def deformation_scale(fields):
+def deformation_scale(fields, always_true=False):
     """1 where the deformation can be seen as it is, otherwise a round factor
-    that makes the largest displacement a tenth of the body."""
+    that makes the largest displacement a tenth of the body. Large strains are
+    shown as they are, however small or large displacements are."""
     size = float(np.ptp(fields.points, axis=0).max())
     largest = float(np.linalg.norm(fields.data["displacement"], axis=1).max())
     if largest <= 0. or not np.isfinite(largest):
         return None
-    if 0.02 * size <= largest <= 2. * size:
+    if always_true or 0.02 * size <= largest <= 2. * size:
         return 1.
     factor = 0.1 * size / largest
     power = 10. ** np.floor(np.log10(factor))

@@ -83,7 +83,11 @@ def case_in_words(results):
     formulation = results.parameter("Model/Formulation")
     if formulation:
         model.append("%s formulation" % formulation)
-    for entry, text in (("Kinematics", "%s"), ("Crack density", "crack density %s"),
+    finite_only = ("Strains", "Hyperelastic law")
+    is_finite = results.parameter("Model/Strains") == "finite"
+    for entry, text in (("Kinematics", "%s"), ("Strains", "%s strain"),
+                        ("Hyperelastic law", "%s law"),
+                        ("Crack density", "crack density %s"),
                         ("Energy split", "split %s"),
                         ("Pressure law", "pressure law %s"),
                         ("Length scale", "length scale ℓ = %s"),
@@ -91,6 +95,8 @@ def case_in_words(results):
         value = results.parameter("Model/" + entry)
         if entry == "Kinematics" and results.is_3d:
             value = "3-d"
+        if entry in finite_only and not is_finite:
+            continue
         if value and not (entry == "Pressure law" and formulation == "displacement"):
             if entry == "Length scale":
                 value = number(value, "mm") if is_number(value) else value

@@ -19,7 +19,9 @@
 
 #include <deal.II/base/mpi.h>
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numeric>
 
 namespace MixedCracks
@@ -110,7 +112,10 @@ namespace MixedCracks
     return {std::sqrt(sum(displacement_scale)),
             std::sqrt(sum(pressure_scale)),
             Utilities::MPI::max(distance.degradation, communicator),
-            sum(distance.regime_changes)};
+            sum(distance.regime_changes),
+            is_finite()
+              ? Utilities::MPI::max(distance.deformation, communicator)
+              : 0.};
   }
 
 
@@ -275,7 +280,9 @@ namespace MixedCracks
                            const Vector &lagged_phase_field,
                            const Vector &phase_field)
   {
-    Energies                  sum;
+    Energies sum;
+    if (is_finite())
+      sum.smallest_jacobian = std::numeric_limits<double>::infinity();
     const std::vector<double> nothing(fields.quadrature.size(), 0.);
     for (unsigned int cell = 0; cell < cells->n_cells(); ++cell)
     {
@@ -284,6 +291,8 @@ namespace MixedCracks
       cells->phase_field.read(cell, phase_field, local_phase_field);
       phase_field_kernel.interpolate(local_phase_field, phase_field_values);
       sum.elastic += elastic_kernel.energy(phase_field_values);
+      sum.smallest_jacobian =
+        std::min(sum.smallest_jacobian, elastic_kernel.smallest_determinant());
       phase_field_kernel.reinit(cells->geometry(cell), (*constants)[cell]);
       phase_field_kernel.set_state(local_phase_field, nothing.data());
       sum.crack += phase_field_kernel.energy();
@@ -293,73 +302,10 @@ namespace MixedCracks
     sum.elastic       = Utilities::MPI::sum(sum.elastic, communicator);
     sum.crack         = Utilities::MPI::sum(sum.crack, communicator);
     sum.crack_surface = Utilities::MPI::sum(sum.crack_surface, communicator);
+    if (is_finite())
+      sum.smallest_jacobian =
+        Utilities::MPI::min(sum.smallest_jacobian, communicator);
     return sum;
-  }
-
-
-
-  template <int dim>
-  void
-  Assembler<dim>::add_constants(const unsigned int cell,
-                                const unsigned int index,
-                                CellData<dim>     &data) const
-  {
-    const CellGeometry<dim> &geometry = cells->geometry(cell);
-    const CellConstants      at       = (*constants)[cell];
-    PointConstants           sum{0., 0., 0.};
-    for (unsigned int q = 0; q < geometry.weights.size(); ++q)
-    {
-      sum.lambda += at[q].lambda * geometry.weights[q];
-      sum.mu += at[q].mu * geometry.weights[q];
-      sum.critical_energy_release_rate +=
-        at[q].critical_energy_release_rate * geometry.weights[q];
-    }
-    const double       volume = geometry.volume();
-    const unsigned int n = fields.elastic.get_triangulation().n_active_cells();
-    data.set("lame_lambda", n, index, sum.lambda / volume);
-    data.set("shear_modulus", n, index, sum.mu / volume);
-    data.set("critical_energy_release_rate",
-             n,
-             index,
-             sum.critical_energy_release_rate / volume);
-  }
-
-
-
-  template <int dim>
-  CellData<dim>
-  Assembler<dim>::cell_data(const Vector &elastic,
-                            const Vector &lagged_phase_field,
-                            const Vector &phase_field)
-  {
-    const unsigned int n_cells =
-      fields.elastic.get_triangulation().n_active_cells();
-    const std::string axes = "xyz";
-    CellData<dim>     data;
-    const auto        set = [&](const std::string &name,
-                         const unsigned int cell,
-                         const double       value) {
-      data.set(name, n_cells, cell, value);
-    };
-    for (unsigned int cell = 0; cell < cells->n_cells(); ++cell)
-    {
-      load_elastic(
-        cell, elastic, lagged_phase_field, ElasticEvaluation::stresses);
-      cells->phase_field.read(cell, phase_field, local_phase_field);
-      phase_field_kernel.interpolate(local_phase_field, phase_field_values);
-      const auto         averages = elastic_kernel.averages(phase_field_values);
-      const unsigned int index    = cells->active_index(cell);
-      for (unsigned int i = 0; i < dim; ++i)
-        for (unsigned int j = i; j < dim; ++j)
-          set(std::string("stress_") + axes[i] + axes[j],
-              index,
-              averages.stress[i][j]);
-      set("strain_energy_density", index, averages.energy_density);
-      set("material", index, cells->material(cell));
-      if (constants_vary())
-        add_constants(cell, index, data);
-    }
-    return data;
   }
 
 

@@ -32,6 +32,15 @@
 //
 //   S ~ sum_q w_q ( |compliance| + |stress * divergence| / m ) M_k M_l,
 //   m = longitudinal_stiffness(C).
+//
+// Finite strain: C = dP/d(grad u) has no minor symmetries and acts on grad(L_b
+// e_e), and with K = dP/dp the coupling is K : grad w. Waves of direction n (in
+// the reference configuration) see the acoustic tensor Q_de = C_dJeK n_J n_K
+// and the coupling K n, hence
+//
+//   stress * divergence / m   becomes   mean over n of  K n . Q(n)^-1 K n,
+//
+// at F = I the same, K = I and Q(n) n = m n.
 
 #include <assembly/auxiliary_matrices.h>
 
@@ -56,6 +65,126 @@ namespace MixedCracks
         sum += tangent[i][i][j][j] + 2. * tangent[i][j][i][j];
     return sum / (dim * (dim + 2));
   }
+
+
+
+  namespace
+  {
+    template <int dim>
+    Tensor<2, dim>
+    acoustic_tensor(const Tensor<4, dim> &tangent, const Tensor<1, dim> &n)
+    {
+      Tensor<2, dim> result;
+      for (unsigned int d = 0; d < dim; ++d)
+        for (unsigned int j = 0; j < dim; ++j)
+          for (unsigned int e = 0; e < dim; ++e)
+            result[d][e] += n[j] * (tangent[d][j][e] * n);
+      return result;
+    }
+
+
+
+    // the directions of axes and of diagonals of the cube
+    template <int dim>
+    std::vector<Tensor<1, dim>>
+    directions()
+    {
+      std::vector<Tensor<1, dim>> result;
+      for (unsigned int i = 0; i < dim; ++i)
+      {
+        Tensor<1, dim> axis;
+        axis[i] = 1.;
+        result.push_back(axis);
+      }
+      for (unsigned int signs = 0; signs < (1u << (dim - 1)); ++signs)
+      {
+        Tensor<1, dim> diagonal;
+        for (unsigned int i = 0; i < dim; ++i)
+          diagonal[i] = (signs >> i) % 2 == 1 ? -1. : 1.;
+        result.push_back(diagonal / diagonal.norm());
+      }
+      return result;
+    }
+
+
+
+    // What the displacements add to the compliance of the pressure; 1/MPa.
+    // Where the tangent is not elliptic, its size has to do.
+    template <int dim>
+    double
+    compliance_of_displacements(const ElasticResponse<dim> &response)
+    {
+      static const std::vector<Tensor<1, dim>> all = directions<dim>();
+      double                                   sum = 0.;
+      for (const Tensor<1, dim> &n : all)
+      {
+        const Tensor<2, dim> Q =
+          acoustic_tensor(response.stress_by_gradient, n);
+        const Tensor<1, dim> force = response.coupling * n;
+        const double         compliance =
+          determinant(Q) != 0. ? force * (invert(Q) * force) : 0.;
+        sum += compliance > 0. ? compliance : force * force / Q.norm();
+      }
+      return sum / all.size();
+    }
+
+
+
+    // C : eps(shape e_e), @p gradient that of the shape
+    template <int dim>
+    Tensor<2, dim>
+    stress_of_shape(const SymmetricTensor<4, dim> &tangent,
+                    const Tensor<1, dim>          &gradient,
+                    const unsigned int             e)
+    {
+      SymmetricTensor<2, dim> strain;
+      for (unsigned int d = 0; d < dim; ++d)
+        strain[e][d] = (d == e ? 1. : 0.5) * gradient[d];
+      return Tensor<2, dim>(tangent * strain);
+    }
+
+
+
+    // C : grad(shape e_e)
+    template <int dim>
+    Tensor<2, dim>
+    stress_of_shape(const Tensor<4, dim> &tangent,
+                    const Tensor<1, dim> &gradient,
+                    const unsigned int    e)
+    {
+      Tensor<2, dim> stress;
+      for (unsigned int d = 0; d < dim; ++d)
+        for (unsigned int j = 0; j < dim; ++j)
+          stress[d][j] = tangent[d][j][e] * gradient;
+      return stress;
+    }
+
+
+
+    // The stiffness of linear displacements at point q with a tangent that the
+    // weight of the point is part of; rows are numbered component by component
+    // for each vertex.
+    template <int dim, typename Tangent>
+    void
+    add_stiffness(const Tangent           &tangent,
+                  const ScalarShapes<dim> &shapes,
+                  const unsigned int       q,
+                  FullMatrix<double>      &local)
+    {
+      for (unsigned int b = 0; b < shapes.size(); ++b)
+        for (unsigned int e = 0; e < dim; ++e)
+        {
+          const Tensor<2, dim> stress =
+            stress_of_shape(tangent, shapes.gradient(b, q), e);
+          for (unsigned int a = 0; a < shapes.size(); ++a)
+          {
+            const Tensor<1, dim> force = stress * shapes.gradient(a, q);
+            for (unsigned int d = 0; d < dim; ++d)
+              local(dim * a + d, dim * b + e) += force[d];
+          }
+        }
+    }
+  } // namespace
 
 
 
@@ -136,6 +265,7 @@ namespace MixedCracks
       pressure_matrix = 0.;
     if (!has_displacement() && !fields.layout.mixed)
       return;
+    is_finite = assembler.is_finite();
     assembler.visit_tangents(
       [&](const unsigned int                       cell,
           const CellGeometry<dim>                 &geometry,
@@ -153,7 +283,6 @@ namespace MixedCracks
 
 
 
-  // the rows are numbered component by component for each vertex
   template <int dim>
   void
   AssembledAuxiliaries<dim>::add_displacements(
@@ -164,24 +293,18 @@ namespace MixedCracks
     FullMatrix<double> local(dim * shapes.size(), dim * shapes.size());
     shapes.reinit(geometry);
     for (unsigned int q = 0; q < responses.size(); ++q)
-    {
-      const SymmetricTensor<4, dim> tangent =
-        geometry.weights[q] * responses[q].stress_by_strain;
-      for (unsigned int b = 0; b < shapes.size(); ++b)
-        for (unsigned int e = 0; e < dim; ++e)
-        {
-          SymmetricTensor<2, dim> strain;
-          for (unsigned int d = 0; d < dim; ++d)
-            strain[e][d] = (d == e ? 1. : 0.5) * shapes.gradient(b, q)[d];
-          const Tensor<2, dim> stress(tangent * strain);
-          for (unsigned int a = 0; a < shapes.size(); ++a)
-          {
-            const Tensor<1, dim> force = stress * shapes.gradient(a, q);
-            for (unsigned int d = 0; d < dim; ++d)
-              local(dim * a + d, dim * b + e) += force[d];
-          }
-        }
-    }
+      if (is_finite)
+        add_stiffness(
+          Tensor<4, dim>(geometry.weights[q] * responses[q].stress_by_gradient),
+          shapes,
+          q,
+          local);
+      else
+        add_stiffness(SymmetricTensor<4, dim>(geometry.weights[q] *
+                                              responses[q].stress_by_strain),
+                      shapes,
+                      q,
+                      local);
     linear_displacements.constraints().distribute_local_to_global(
       local, vertex_dofs[cell], displacement_matrix);
   }
@@ -202,8 +325,10 @@ namespace MixedCracks
       const double                weight =
         geometry.weights[q] *
         (std::abs(response.constraint_by_pressure) +
-         std::abs(response.stress_by_pressure * response.constraint_by_trace) /
-           longitudinal_stiffness(response.stress_by_strain));
+         (is_finite ? compliance_of_displacements(response)
+                    : std::abs(response.stress_by_pressure *
+                               response.constraint_by_trace) /
+                        longitudinal_stiffness(response.stress_by_strain)));
       for (unsigned int a = 0; a < shapes.size(); ++a)
         for (unsigned int b = 0; b < shapes.size(); ++b)
           local(a, b) += weight * shapes.value(a, q) * shapes.value(b, q);

@@ -29,6 +29,8 @@
 // there, with the bulk stiffness of the eliminated p in C.
 //
 // Per mm of thickness: in 3-d the units are N and mm^3 instead.
+// Finite strain: elastic_kernel_finite.cc; energies, scales and averages:
+// elastic_kernel_energy.cc.
 
 #include <assembly/elastic_kernel.h>
 
@@ -99,14 +101,27 @@ namespace MixedCracks
 
 
 
+  // Where g = 1 the material is linear at small strain, whatever its regime:
+  // they count as one.
+  template <int dim>
+  int
+  ElasticKernel<dim>::tangent_regime(const ElasticPoint<dim> &point) const
+  {
+    if (material.is_finite())
+      return tangent_of_finite_strain;
+    return point.degradation == 1.
+             ? 0
+             : material.tangent_regime(point.gradient, point.pressure);
+  }
+
+
+
   // At each quadrature point
   //
-  //   grad u = sum_a u_a (x) grad N_a,   eps = sym grad u,   p = sum_k p_k M_k,
-  //   g = g(phi~),
+  //   grad u = sum_a u_a (x) grad N_a,   p = sum_k p_k M_k,   g = g(phi~),
   //
   // p from the constraint where it is eliminated, and the regime of the
-  // tangent. Where g = 1 the material is linear, whatever its regime: they
-  // count as one.
+  // tangent.
   template <int dim>
   void
   ElasticKernel<dim>::set_state(const Vector<double>      &local,
@@ -116,12 +131,11 @@ namespace MixedCracks
     for (unsigned int q = 0; q < states.size(); ++q)
     {
       ElasticPoint<dim> &point = states[q];
-      Tensor<2, dim>     gradient;
+      point.gradient           = 0.;
       for (unsigned int a = 0; a < displacement_dofs.size(); ++a)
         for (unsigned int d = 0; d < dim; ++d)
-          gradient[d] +=
+          point.gradient[d] +=
             local(displacement_dofs[a][d]) * displacement_shapes.gradient(a, q);
-      point.strain      = symmetrize(gradient);
       point.degradation = degradation(lagged_phase_field[q]);
       if (mixed)
       {
@@ -132,11 +146,8 @@ namespace MixedCracks
       }
       else
         point.pressure =
-          material.pressure(point.strain, point.degradation, constants[q]);
-      point.tangent_regime =
-        point.degradation == 1.
-          ? 0
-          : material.tangent_regime(point.strain, point.pressure);
+          material.pressure(point.gradient, point.degradation, constants[q]);
+      point.tangent_regime = tangent_regime(point);
     }
     evaluate_responses(wanted);
   }
@@ -162,12 +173,12 @@ namespace MixedCracks
       return;
     const bool with_tangent = wanted == ElasticEvaluation::tangents;
     for (unsigned int q = 0; q < states.size(); ++q)
-      responses[q] = mixed ? material.mixed(states[q].strain,
+      responses[q] = mixed ? material.mixed(states[q].gradient,
                                             states[q].pressure,
                                             states[q].degradation,
                                             constants[q],
                                             with_tangent)
-                           : material.eliminated(states[q].strain,
+                           : material.eliminated(states[q].gradient,
                                                  states[q].degradation,
                                                  constants[q],
                                                  with_tangent);
@@ -176,7 +187,8 @@ namespace MixedCracks
 
 
   // R_(ad) = sum_q w_q (sigma grad N_a)_d, as sigma is symmetric: sigma :
-  // eps(w) = sigma : grad w;   R_k = sum_q w_q constraint M_k.
+  // eps(w) = sigma : grad w, and P : grad w at finite strain;   R_k = sum_q w_q
+  // constraint M_k.
   template <int dim>
   void
   ElasticKernel<dim>::residual(Vector<double> &result) const
@@ -262,9 +274,24 @@ namespace MixedCracks
           result(i, k) += response.stress_by_pressure * divergence;
           result(k, i) += response.constraint_by_trace * divergence;
         }
+    }
+    add_block_of_pressure(q, result);
+  }
+
+
+
+  template <int dim>
+  void
+  ElasticKernel<dim>::add_block_of_pressure(const unsigned int  q,
+                                            FullMatrix<double> &result) const
+  {
+    for (unsigned int l = 0; l < pressure_dofs.size(); ++l)
+    {
+      const double shape = geometry->weights[q] * pressure_shapes.value(l, q);
       for (unsigned int m = 0; m < pressure_dofs.size(); ++m)
-        result(k, pressure_dofs[m]) +=
-          response.constraint_by_pressure * shape * pressure_shapes.value(m, q);
+        result(pressure_dofs[l], pressure_dofs[m]) +=
+          responses[q].constraint_by_pressure * shape *
+          pressure_shapes.value(m, q);
     }
   }
 
@@ -279,8 +306,13 @@ namespace MixedCracks
     result = 0.;
     for (unsigned int q = 0; q < states.size(); ++q)
     {
-      displacement_block(q, result);
-      if (mixed)
+      if (material.is_finite())
+        finite_displacement_block(q, result);
+      else
+        displacement_block(q, result);
+      if (mixed && material.is_finite())
+        finite_pressure_blocks(q, result);
+      else if (mixed)
         pressure_blocks(q, result);
     }
     for (unsigned int b = 0; b < displacement_dofs.size(); ++b)
@@ -288,100 +320,6 @@ namespace MixedCracks
         for (const unsigned int j : displacement_dofs[b])
           for (const unsigned int i : displacement_dofs[a])
             result(j, i) = result(i, j);
-  }
-
-
-
-  // sum_q w_q 1/2 sigma : eps with the p that the state has.
-  template <int dim>
-  double
-  ElasticKernel<dim>::energy() const
-  {
-    double sum = 0.;
-    for (unsigned int q = 0; q < states.size(); ++q)
-      sum +=
-        geometry->weights[q] * material.elastic_energy(states[q].strain,
-                                                       states[q].pressure,
-                                                       states[q].degradation,
-                                                       constants[q]);
-    return sum;
-  }
-
-
-
-  // The same strains with another phase field: p follows from the constraint
-  // with the new g, which keeps u, and E(u, phi) of the energy balance is
-  // evaluated with phi and not with phi~.
-  template <int dim>
-  double
-  ElasticKernel<dim>::energy(const std::vector<double> &phase_field) const
-  {
-    double sum = 0.;
-    for (unsigned int q = 0; q < states.size(); ++q)
-    {
-      const ElasticPoint<dim> &point = states[q];
-      const double             g     = degradation(phase_field[q]);
-      sum += geometry->weights[q] *
-             material.elastic_energy(
-               point.strain,
-               material.pressure_after(
-                 point.pressure, point.degradation, g, constants[q]),
-               g,
-               constants[q]);
-    }
-    return sum;
-  }
-
-
-
-  // What would be there without cancellation. A nodal force is the integral of
-  // sigma grad N, and grad N is of the order of 1/h:  s_u = (integral of
-  // |sigma|)/h, and the constraint is of the order of  s_p = integral of |eps|,
-  // h = V^(1/dim). Newton's method compares |R_u| with the root of the sum of
-  // s_u^2, |R_p| with that of s_p^2.
-  template <int dim>
-  std::pair<double, double>
-  ElasticKernel<dim>::squared_scale() const
-  {
-    std::pair<double, double> result{0., 0.};
-    double                    stress = 0., strain = 0.;
-    for (unsigned int q = 0; q < states.size(); ++q)
-    {
-      stress += responses[q].stress.norm() * geometry->weights[q];
-      strain += states[q].strain.norm() * geometry->weights[q];
-    }
-    // a stress times the gradient of a shape function, of the order of 1/h
-    const double h = std::pow(geometry->volume(), 1. / dim);
-    result.first   = (stress / h) * (stress / h);
-    result.second  = strain * strain;
-    return result;
-  }
-
-
-
-  template <int dim>
-  double
-  ElasticKernel<dim>::driving_force(const ElasticPoint<dim> &point,
-                                    const PointConstants    &at) const
-  {
-    return material.driving_force(
-      point.strain, point.pressure, point.degradation, at);
-  }
-
-
-
-  // (sum_q w_q sigma_q)/V and the energy over V
-  template <int dim>
-  typename ElasticKernel<dim>::CellAverages
-  ElasticKernel<dim>::averages(const std::vector<double> &phase_field) const
-  {
-    CellAverages result{{}, 0.};
-    const double volume = geometry->volume();
-    for (unsigned int q = 0; q < states.size(); ++q)
-      result.stress += geometry->weights[q] * responses[q].stress;
-    result.stress /= volume;
-    result.energy_density = energy(phase_field) / volume;
-    return result;
   }
 
 

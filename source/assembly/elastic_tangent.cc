@@ -11,6 +11,13 @@
 //       points in another regime. As long as that is 0, A - A_old is at most
 //       about the first times A, and Newton's method with A_old contracts.
 //   where does the matrix differ?     the cells that have such a point.
+//
+// At finite strain the tangent is another one in every state. How far off the
+// old one is has no such simple bound; the distance is then
+//
+//   max over the points of |F - F_old| / |F_old|
+//
+// besides that of g, and the old factors are but tried.
 
 #include <assembly/elastic_tangent.h>
 
@@ -27,6 +34,20 @@ namespace MixedCracks
     constexpr double largest_changed_part = 0.25;
     // ... and once in a while rounding is swept out.
     constexpr unsigned int most_corrections = 50;
+
+    // |F - F_old| / |F_old|
+    template <int dim>
+    double
+    change_of_deformation(const ElasticPoint<dim> &now,
+                          const ElasticPoint<dim> &then)
+    {
+      dealii::Tensor<2, dim> F = then.gradient;
+      for (unsigned int d = 0; d < dim; ++d)
+        F[d][d] += 1.;
+      return (now.gradient - then.gradient).norm() / F.norm();
+    }
+
+
 
     template <int dim>
     bool
@@ -79,8 +100,11 @@ namespace MixedCracks
                  std::abs(now[q].degradation - then[q].degradation) /
                    std::max(std::min(now[q].degradation, then[q].degradation),
                             std::numeric_limits<double>::min()));
-      if (now[q].tangent_regime < 0 ||
-          now[q].tangent_regime != then[q].tangent_regime)
+      if (now[q].tangent_regime == tangent_of_finite_strain)
+        distance.deformation = std::max(distance.deformation,
+                                        change_of_deformation(now[q], then[q]));
+      else if (now[q].tangent_regime < 0 ||
+               now[q].tangent_regime != then[q].tangent_regime)
         distance.regime_changes += 1.;
     }
   }

@@ -16,6 +16,9 @@
 // constraint on p, and are not the derivative of one energy in u and phi
 // together.
 //
+// At finite strain FiniteStrain has all of this; here grad u is passed on to
+// it. At small strains eps = sym grad u:
+//
 //   mixed()         stress, constraint and tangents for (eps, p, g)
 //   eliminated()    the same with p from the constraint: displacements alone
 //   driving_force() D = sigma+ : eps = 2 psi+
@@ -56,36 +59,32 @@ namespace MixedCracks
 
     // g sigma+ + sigma- of the part 2 mu eps
     template <int dim>
-    void
-    set_shear_stress(ElasticResponse<dim>   &response,
-                     const StressParts<dim> &parts,
-                     const double            g)
+    SymmetricTensor<2, dim>
+    shear_stress(const StressParts<dim> &parts, const double g)
     {
-      response.stress = parts.positive;
-      response.stress *= g;
-      response.stress += parts.negative;
+      SymmetricTensor<2, dim> stress = parts.positive;
+      stress *= g;
+      stress += parts.negative;
+      return stress;
     }
 
-    // and its tangent, which takes longer, where it is asked for
+    // the same, setting its tangent, which takes longer, where it is asked for
     template <int dim>
-    void
-    set_shear_part(ElasticResponse<dim>          &response,
-                   const EnergySplit<dim>        &split,
-                   const SymmetricTensor<2, dim> &strain,
-                   const double                   mu,
-                   const double                   g,
-                   const bool                     with_tangent)
+    SymmetricTensor<2, dim>
+    shear_part(ElasticResponse<dim>          &response,
+               const EnergySplit<dim>        &split,
+               const SymmetricTensor<2, dim> &strain,
+               const double                   mu,
+               const double                   g,
+               const bool                     with_tangent)
     {
       if (!with_tangent)
-      {
-        set_shear_stress(response, split.parts(strain, mu), g);
-        return;
-      }
+        return shear_stress(split.parts(strain, mu), g);
       const SplitStress<dim> parts = split.evaluate(strain, mu);
-      set_shear_stress<dim>(response, parts, g);
-      response.stress_by_strain = parts.positive_tangent;
+      response.stress_by_strain    = parts.positive_tangent;
       response.stress_by_strain *= g;
       response.stress_by_strain += parts.negative_tangent;
+      return shear_stress<dim>(parts, g);
     }
   } // namespace
 
@@ -98,10 +97,15 @@ namespace MixedCracks
         all_degradations().make(description.degradation,
                                 description.residual_stiffness))
     , density(all_crack_densities().make(description.crack_density))
-    , split(all_energy_splits<dim>().make(description.energy_split,
-                                          description.deviator_dimension))
-    , pressure_law(all_pressure_laws().make(description.pressure_law))
   {
+    if (description.strains == Strains::finite)
+      finite_strain = std::make_unique<FiniteStrain<dim>>(description);
+    else
+    {
+      split        = all_energy_splits<dim>().make(description.energy_split,
+                                            description.deviator_dimension);
+      pressure_law = all_pressure_laws().make(description.pressure_law);
+    }
     Assert((!description.constants || (description.constants->lambda > 0. &&
                                        description.constants->mu > 0.)) &&
              description.relaxation > 0. &&
@@ -123,17 +127,21 @@ namespace MixedCracks
   // continuous.
   template <int dim>
   ElasticResponse<dim>
-  Material<dim>::mixed(const Strain         &strain,
+  Material<dim>::mixed(const Gradient       &gradient,
                        const double          pressure,
                        const double          g,
                        const PointConstants &at,
                        const bool            with_tangent) const
   {
-    const PressureCoefficients law =
+    if (finite_strain)
+      return finite_strain->mixed(gradient, pressure, g, at, with_tangent);
+    const SymmetricTensor<2, dim> strain = symmetrize(gradient);
+    const PressureCoefficients    law =
       pressure_coefficients(g, is_tension(pressure), at);
     ElasticResponse<dim> response;
-    set_shear_part(response, *split, strain, at.mu, g, with_tangent);
-    add_pressure(response.stress, law.stress * pressure);
+    auto stress = shear_part(response, *split, strain, at.mu, g, with_tangent);
+    add_pressure(stress, law.stress * pressure);
+    response.stress             = stress;
     response.stress_by_pressure = law.stress;
     response.constraint =
       law.divergence * trace(strain) - law.compliance * pressure;
@@ -152,25 +160,25 @@ namespace MixedCracks
   // lambda where the material is intact.
   template <int dim>
   ElasticResponse<dim>
-  Material<dim>::eliminated(const Strain         &strain,
+  Material<dim>::eliminated(const Gradient       &gradient,
                             const double          g,
                             const PointConstants &at,
                             const bool            with_tangent) const
   {
+    if (finite_strain)
+      return finite_strain->eliminated(gradient, g, at, with_tangent);
+    const SymmetricTensor<2, dim> strain = symmetrize(gradient);
     // the eliminated pressure has the sign of the trace
     const double volume_change = trace(strain);
     const double bulk_stiffness =
       pressure_coefficients(g, is_tension(volume_change), at)
         .eliminated_stiffness();
     ElasticResponse<dim> response;
-    set_shear_part(response, *split, strain, at.mu, g, with_tangent);
-    add_pressure(response.stress, bulk_stiffness * volume_change);
+    auto stress = shear_part(response, *split, strain, at.mu, g, with_tangent);
+    add_pressure(stress, bulk_stiffness * volume_change);
+    response.stress = stress;
     if (with_tangent)
       add_bulk_stiffness(response.stress_by_strain, bulk_stiffness);
-    response.stress_by_pressure     = 0.;
-    response.constraint             = 0.;
-    response.constraint_by_trace    = 0.;
-    response.constraint_by_pressure = 0.;
     return response;
   }
 
@@ -178,11 +186,13 @@ namespace MixedCracks
 
   template <int dim>
   double
-  Material<dim>::pressure(const Strain         &strain,
+  Material<dim>::pressure(const Gradient       &gradient,
                           const double          g,
                           const PointConstants &at) const
   {
-    const double               volume_change = trace(strain);
+    if (finite_strain)
+      return finite_strain->pressure(gradient, g, at);
+    const double               volume_change = trace(gradient);
     const PressureCoefficients law =
       pressure_coefficients(g, is_tension(volume_change), at);
     return law.divergence * volume_change / law.compliance;
@@ -198,11 +208,14 @@ namespace MixedCracks
   // pressure, p of either sign counts.
   template <int dim>
   double
-  Material<dim>::driving_force(const Strain         &strain,
+  Material<dim>::driving_force(const Gradient       &gradient,
                                const double          pressure,
                                const double          g,
                                const PointConstants &at) const
   {
+    if (finite_strain)
+      return finite_strain->driving_force(gradient, pressure, g, at);
+    const SymmetricTensor<2, dim> strain = symmetrize(gradient);
     double force = split->parts(strain, at.mu).positive * strain;
     if (is_tension(pressure))
       force +=
@@ -216,13 +229,16 @@ namespace MixedCracks
   // is homogeneous of degree one in (eps, p).
   template <int dim>
   double
-  Material<dim>::elastic_energy(const Strain         &strain,
+  Material<dim>::elastic_energy(const Gradient       &gradient,
                                 const double          pressure,
                                 const double          g,
                                 const PointConstants &at) const
   {
-    const StressParts<dim> parts = split->parts(strain, at.mu);
-    const double           transmitted_pressure =
+    if (finite_strain)
+      return finite_strain->elastic_energy(gradient, pressure, g, at);
+    const SymmetricTensor<2, dim> strain = symmetrize(gradient);
+    const StressParts<dim>        parts  = split->parts(strain, at.mu);
+    const double                  transmitted_pressure =
       pressure_coefficients(g, is_tension(pressure), at).stress * pressure;
     return 0.5 * (g * (parts.positive * strain) + parts.negative * strain +
                   transmitted_pressure * trace(strain));
@@ -239,8 +255,12 @@ namespace MixedCracks
   Material<dim>::pressure_after(const double          pressure,
                                 const double          g_before,
                                 const double          g_after,
-                                const PointConstants &at) const
+                                const PointConstants &at,
+                                const Gradient       &gradient) const
   {
+    if (finite_strain)
+      return finite_strain->pressure_after(
+        pressure, g_before, g_after, at, gradient);
     if (g_before == g_after || pressure == 0.)
       return pressure;
     const bool                 tension = is_tension(pressure);
@@ -327,10 +347,12 @@ namespace MixedCracks
   // as the split has.
   template <int dim>
   int
-  Material<dim>::tangent_regime(const Strain &strain,
-                                const double  pressure) const
+  Material<dim>::tangent_regime(const Gradient &gradient,
+                                const double    pressure) const
   {
-    const int split_regime = split->tangent_regime(strain);
+    if (finite_strain)
+      return -1;
+    const int split_regime = split->tangent_regime(symmetrize(gradient));
     return split_regime < 0 ? -1
                             : 2 * split_regime + (is_tension(pressure) ? 1 : 0);
   }

@@ -205,6 +205,15 @@ namespace MixedCracks
                                                       step.state.phase_field);
                })
         .only_with("Output/Crack volume")
+        .in_summary_as(InSummary::result),
+      Quantity(
+        "min_jacobian",
+        "",
+        "smallest det F over the quadrature points, in plane stress that "
+        "of the plane, det of the two by two part; cells turn inside out "
+        "at 0. Broken cells count, too",
+        [](const auto &step) { return step.energies.smallest_jacobian; })
+        .only_with("Model/Strains = finite")
         .in_summary_as(InSummary::result)};
     return list;
   }

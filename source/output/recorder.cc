@@ -56,9 +56,12 @@ namespace MixedCracks
   std::vector<std::string>
   Recorder<dim>::asked_quantities() const
   {
+    std::vector<std::string> asked;
     if (options.crack_opening.crack_volume)
-      return {"Output/Crack volume"};
-    return {};
+      asked.push_back("Output/Crack volume");
+    if (options.finite_strain)
+      asked.push_back("Model/Strains = finite");
+    return asked;
   }
 
 

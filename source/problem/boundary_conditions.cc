@@ -163,11 +163,13 @@ namespace MixedCracks
     prm.add_parameter("Traction",
                       traction_text,
                       "Forces per area on the boundary, 'boundary : component "
-                      ": expression ; ...'. Unit: MPa.");
+                      ": expression ; ...'; at finite strain dead loads, per "
+                      "undeformed area. Unit: MPa.");
     prm.add_parameter("Body force",
                       body_force_text,
-                      "Forces per volume, 'component : expression ; ...'. "
-                      "Unit: N/mm^3.");
+                      "Forces per volume, 'component : expression ; ...'; at "
+                      "finite strain dead loads, per undeformed volume. Unit: "
+                      "N/mm^3.");
     prm.add_parameter(
       "Unbreakable margin",
       margin,

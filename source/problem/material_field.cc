@@ -68,13 +68,19 @@ namespace MixedCracks
 
 
   MaterialConstants::MaterialConstants(const MaterialParameters::Texts &texts,
-                                       const std::string               &where)
-    : of_material_id(where == "Material/" ? "" : where)
+                                       const std::string               &where,
+                                       const StrainParameters          &strains)
+    : where(where)
+    , of_material_id(where == "Material/" ? "" : where)
+    , law(strains)
   {
-    bool any_varies = false;
+    std::vector<std::string> given;
+    bool                     any_varies = false;
     for (const auto &[name, text] : texts)
     {
-      Entry entry{name, where + name, 0., {}};
+      const std::string parameter =
+        law.is_own(name) ? law.entry_of(name, where) : where + name;
+      Entry entry{name, parameter, 0., {}};
       if (const std::optional<double> number = number_in(text))
         entry.number = *number;
       else
@@ -83,12 +89,16 @@ namespace MixedCracks
         any_varies = any_varies || uses_variables(*entry.expression);
       }
       entries.push_back(entry);
+      given.push_back(name);
     }
+    is_of_law = law.is_used_by(given);
     // values are none of the business of a set that may not be used at all
     const bool has_elasticity =
-      std::any_of(entries.begin(), entries.end(), [](const Entry &entry) {
-        return elastic_names.count(entry.name) > 0;
+      std::any_of(given.begin(), given.end(), [&](const std::string &name) {
+        return elastic_names.count(name) > 0 || law.is_own(name);
       });
+    if (is_of_law && has_elasticity)
+      law.check_names(given, where);
     if (!any_varies && has_elasticity)
       constant = compute({{0., 0., 0., 0.}});
   }
@@ -105,34 +115,64 @@ namespace MixedCracks
 
 
 
+  ElasticConstants
+  MaterialConstants::elastic_pair(const GivenElasticConstants &given) const
+  {
+    try
+    {
+      return elastic_constants(given);
+    }
+    catch (const InputError &error)
+    {
+      throw InputError(of_material_id + error.what());
+    }
+  }
+
+
+
+  MaterialValues
+  MaterialConstants::compute_of_law(Given                                given,
+                                    const std::map<std::string, double> &values,
+                                    const double toughness) const
+  {
+    const HyperelasticConstants constants = law.in_order(values);
+    given.shear_modulus                   = law.shear_modulus(constants, where);
+    const ElasticConstants elastic        = elastic_pair(given);
+    law.check(constants, elastic, where);
+    return {elastic, toughness, constants};
+  }
+
+
+
   MaterialValues
   MaterialConstants::compute(const Variables &variables) const
   {
-    Given          given;
-    MaterialValues result{{0., 0.}, 0.};
+    Given                         given;
+    double                        toughness = 0.;
+    std::map<std::string, double> of_law;
     for (const Entry &entry : entries)
     {
       const double value   = entry.evaluate(variables);
       const auto   elastic = elastic_names.find(entry.name);
       if (elastic != elastic_names.end())
         given.*elastic->second = value;
+      else if (law.is_own(entry.name))
+        of_law[entry.name] = value;
       else
       {
-        result.critical_energy_release_rate = value;
+        toughness = value;
         require(std::isfinite(value) && value > 0.,
                 entry.parameter + ": found '" + number_text(value) +
                   "', expected a number greater than 0 (N/mm).");
       }
     }
-    try
-    {
-      result.elastic = elastic_constants(given);
-    }
-    catch (const InputError &error)
-    {
-      throw InputError(of_material_id + error.what());
-    }
-    return result;
+    if (is_of_law && of_law.empty())
+      law.check_names({}, where);
+    if (is_of_law)
+      return compute_of_law(given, of_law, toughness);
+    const ElasticConstants pair = elastic_pair(given);
+    // neo-Hooke's mu, where there is a law
+    return {pair, toughness, law.in_order({{"mu", pair.mu}})};
   }
 
 
@@ -148,14 +188,15 @@ namespace MixedCracks
   template <int dim>
   MaterialField<dim>::MaterialField(const MaterialParameters       &parameters,
                                     std::shared_ptr<const GridData> map)
-    : elsewhere(parameters.texts(), "Material/")
+    : elsewhere(parameters.texts(), "Material/", parameters.strains())
     , map(std::move(map))
   {
     for (const auto &[id, texts] : parameters.texts_by_id())
-      by_id.emplace(
-        id,
-        MaterialConstants(
-          texts, "Material/By material id: " + std::to_string(id) + ": "));
+      by_id.emplace(id,
+                    MaterialConstants(
+                      texts,
+                      "Material/By material id: " + std::to_string(id) + ": ",
+                      parameters.strains()));
   }
 
 

@@ -30,7 +30,8 @@ namespace MixedCracks
 
   namespace
   {
-    const std::string by_id_name = "Material/By material id";
+    const std::string by_id_name     = "Material/By material id";
+    const std::string constants_name = "Material/Hyperelastic constants";
 
     const std::vector<std::string> elastic_names = {"Lame lambda",
                                                     "Shear modulus",
@@ -67,27 +68,27 @@ namespace MixedCracks
       return static_cast<dealii::types::material_id>(number);
     }
 
-    // "name = value, name = value"
+    // "name = value, name = value" of the names @p known
     MaterialParameters::Texts
-    parsed_texts(const std::string &text)
+    parsed_texts(const std::string              &text,
+                 const std::vector<std::string> &known,
+                 const std::string              &parameter)
     {
-      std::vector<std::string> known = elastic_names;
-      known.push_back(toughness_name);
       MaterialParameters::Texts texts;
       for (const std::string &assignment : split_outside_parentheses(text))
       {
         const auto equals = assignment.find('=');
         require(equals != std::string::npos,
-                by_id_name + ": " + in_quotes(single_spaced(assignment)) +
+                parameter + ": " + in_quotes(single_spaced(assignment)) +
                   " is not of the form 'name = value'; names: " +
                   join_names(known) + ".");
         const std::string name = single_spaced(assignment.substr(0, equals));
         require(std::find(known.begin(), known.end(), name) != known.end(),
-                by_id_name + ": " + unknown_name_message(name, known));
+                parameter + ": " + unknown_name_message(name, known));
         require(
           texts.emplace(name, single_spaced(assignment.substr(equals + 1)))
             .second,
-          by_id_name + ": " + name + " is given twice for one material id.");
+          parameter + ": " + name + " is given twice.");
       }
       return texts;
     }
@@ -99,6 +100,47 @@ namespace MixedCracks
       for (const std::string &name : elastic_names)
         n += texts.count(name);
       return n;
+    }
+
+    std::vector<std::string>
+    names_of(const MaterialParameters::Texts &texts)
+    {
+      std::vector<std::string> names;
+      for (const auto &entry : texts)
+        names.push_back(entry.first);
+      return names;
+    }
+
+    // All constants that there are with this law.
+    std::vector<std::string>
+    known_names(const LawConstants &law)
+    {
+      std::vector<std::string> names = elastic_names;
+      names.insert(names.end(), law.names().begin(), law.names().end());
+      names.push_back(toughness_name);
+      return names;
+    }
+
+    // "Mooney-Rivlin: C10, C01. Yeoh: ..."
+    std::string
+    names_of_all_laws()
+    {
+      std::string      text;
+      StrainParameters strains;
+      strains.strains_name = "finite";
+      for (const std::string &name : all_hyperelastic_laws().names())
+      {
+        strains.law = name;
+        text += name + ": " + join_names(LawConstants(strains).names()) + ". ";
+      }
+      return text;
+    }
+
+    bool
+    is_elastic(const std::string &name)
+    {
+      return std::find(elastic_names.begin(), elastic_names.end(), name) !=
+             elastic_names.end();
     }
   } // namespace
 
@@ -121,6 +163,18 @@ namespace MixedCracks
       "Poisson ratio", poisson_ratio, "nu, between 0 and 0.5." + pair + "1.");
     prm.add_parameter(
       "Bulk modulus", bulk_modulus, "K = lambda + 2 mu/3." + pair + "MPa.");
+    prm.add_parameter(
+      "Hyperelastic constants",
+      hyperelastic_constants,
+      "Those of Model/Hyperelastic law (M12), at finite strain only: 'C10 = "
+      "1.0129, C20 = -0.01226, C30 = 0.001033', numbers or expressions in x, "
+      "y, z and map. " +
+        names_of_all_laws() +
+        "They say what the shear modulus mu at F = I is; exactly one of Lame "
+        "lambda, Bulk modulus and Poisson ratio has to be given with them, "
+        "which mean what they say at F = I too. With neo-Hooke the pair of "
+        "elastic constants does without. Units: MPa; alpha and Jm: 1.",
+      Patterns::Anything());
     prm.add_parameter("Critical energy release rate",
                       critical_energy_release_rate,
                       "G_c, the energy to open a unit of crack surface: a "
@@ -131,9 +185,11 @@ namespace MixedCracks
       by_material_id,
       "Other constants for cells with these material ids of the mesh (Gmsh: "
       "physical surfaces or volumes): 'id : name = value, name = value ; ...', "
-      "with the names of the entries above and numbers or expressions. What is "
-      "not given for an id is as above; two elastic constants replace both, "
-      "one replaces the one of the same name. Units as above.",
+      "with the names of the entries above, at finite strain those in "
+      "Hyperelastic constants too ('4 : C10 = 0.5'), and numbers or "
+      "expressions. What is not given for an id is as above; two elastic "
+      "constants, or the one beside constants of a law, replace those above, "
+      "one of two replaces the one of the same name. Units as above.",
       Patterns::Anything());
     prm.add_parameter("Thickness",
                       thickness,
@@ -163,6 +219,10 @@ namespace MixedCracks
       if (!values[i]->empty())
         result[elastic_names[i]] = *values[i];
     result[toughness_name] = critical_energy_release_rate;
+    if (strains().is_finite() && !hyperelastic_constants.empty())
+      result.merge(parsed_texts(hyperelastic_constants,
+                                LawConstants(strains()).names(),
+                                constants_name));
     return result;
   }
 
@@ -172,6 +232,8 @@ namespace MixedCracks
   MaterialParameters::texts_by_id() const
   {
     std::map<dealii::types::material_id, Texts> result;
+    const LawConstants                          law(strains());
+    const Texts                                 elsewhere = texts();
     for (const std::string &item : split_list(by_material_id, ';'))
     {
       const auto colon = item.find(':');
@@ -180,10 +242,14 @@ namespace MixedCracks
                 " is not of the form 'id : name = value, ...'.");
       const dealii::types::material_id id =
         parsed_id(single_spaced(item.substr(0, colon)));
-      Texts      all           = parsed_texts(item.substr(colon + 1));
-      const bool replaces_pair = n_elastic(all) >= 2;
-      for (const auto &[name, text] : texts())
-        if (name == toughness_name || !replaces_pair)
+      Texts all =
+        parsed_texts(item.substr(colon + 1), known_names(law), by_id_name);
+      Texts with_those_above = all;
+      with_those_above.insert(elsewhere.begin(), elsewhere.end());
+      const bool replaces_pair =
+        n_elastic(all) >= law.n_elastic(names_of(with_those_above));
+      for (const auto &[name, text] : elsewhere)
+        if (!is_elastic(name) || !replaces_pair)
           all.emplace(name, text); // unless it is there
       require(result.emplace(id, all).second,
               by_id_name + ": the material id " + std::to_string(id) +
@@ -198,7 +264,7 @@ namespace MixedCracks
   MaterialParameters::varies() const
   {
     return !by_material_id.empty() ||
-           MaterialConstants(texts(), "Material/").varies();
+           MaterialConstants(texts(), "Material/", strains()).varies();
   }
 
 
@@ -206,7 +272,7 @@ namespace MixedCracks
   MaterialValues
   MaterialParameters::uniform_values() const
   {
-    return MaterialConstants(texts(), "Material/").evaluate({});
+    return MaterialConstants(texts(), "Material/", strains()).evaluate({});
   }
 
 
@@ -214,23 +280,29 @@ namespace MixedCracks
   void
   MaterialParameters::check() const
   {
-    const auto        given    = texts();
-    bool              uses_map = false;
-    MaterialConstants elsewhere(given, "Material/");
+    require(strains().is_finite() || hyperelastic_constants.empty(),
+            constants_name + ": found " + in_quotes(hyperelastic_constants) +
+              " with Model/Strains = small. Allowed: nothing, or Model/Strains "
+              "= finite.");
+    const LawConstants law(strains());
+    const auto         given    = texts();
+    bool               uses_map = false;
+    MaterialConstants  elsewhere(given, "Material/", strains());
     // with sets for material ids none may be needed for the rest; then a
     // missing one is an error of the first cell that needs it
-    if (by_material_id.empty() && n_elastic(given) != 2)
+    if (by_material_id.empty() &&
+        n_elastic(given) != law.n_elastic(names_of(given)))
       elsewhere.evaluate({});
     uses_map = elsewhere.uses_map();
     for (const auto &[id, texts] : texts_by_id())
     {
       const std::string where = by_id_name + ": " + std::to_string(id) + ": ";
-      require(n_elastic(texts) == 2,
+      require(law.is_used_by(names_of(texts)) || n_elastic(texts) == 2,
               where + std::to_string(n_elastic(texts)) +
                 " elastic constants, with those of the entries above; exactly "
                 "two are needed, out of " +
                 join_names(elastic_names) + ".");
-      const MaterialConstants constants(texts, where);
+      const MaterialConstants constants(texts, where, strains());
       uses_map = uses_map || constants.uses_map();
     }
     require(map.given() || !uses_map,

@@ -52,7 +52,8 @@ namespace MixedCracks
                         model.kinematics,
                         "'plane strain': lambda, mu as given; 'plane stress': "
                         "lambda* = 2 lambda mu/(lambda + 2 mu) in place of "
-                        "lambda (M6). Ignored in 3-d.",
+                        "lambda (M6), at finite strain F_33 from P_33 = 0 at "
+                        "each point (M14). Ignored in 3-d.",
                         Patterns::Selection("plane strain|plane stress"));
       prm.add_parameter("Crack density",
                         model.crack_density,
@@ -90,25 +91,26 @@ namespace MixedCracks
         "Energy split",
         model.energy_split,
         "Which part of the stress drives the crack and is degraded (M3), "
-        "(M4). " +
-          all_energy_splits<2>().documentation(),
-        Patterns::Selection(all_energy_splits<2>().selection()));
+        "(M4); (M13), (M15) at finite strain, where it has to be set. " +
+          documentation(energy_split_choices()),
+        Patterns::Selection(selection(energy_split_choices())));
       prm.add_parameter("Deviator dimension",
                         model.deviator_dimension,
                         "n of (M3): eps - tr(eps)/n I; 'auto': 3 in plane "
                         "strain, 2 in plane stress. Ignored in 3-d, where it "
-                        "is 3.",
+                        "is 3, and at finite strain.",
                         Patterns::Selection("auto|2|3"));
       prm.add_parameter(
         "Pressure law",
         model.pressure_law,
-        "How the pressure fades where the material is damaged. " +
-          all_pressure_laws().documentation(),
-        Patterns::Selection(all_pressure_laws().selection()));
+        "How the pressure fades where the material is damaged; at finite "
+        "strain 'relaxed bulk' is (M13), with J - 1 in place of div u. " +
+          documentation(pressure_law_choices()),
+        Patterns::Selection(selection(pressure_law_choices())));
       prm.add_parameter("Relaxation constant",
                         model.relaxation,
-                        "c of (M8), 1/lambda_d = 1/lambda + (1-g)/(g c mu); "
-                        "only for 'relaxed bulk'. Unit: 1.",
+                        "c of (M8) and (M13), 1/lambda_d = 1/lambda + "
+                        "(1-g)/(g c mu); only for 'relaxed bulk'. Unit: 1.",
                         Patterns::Double(tiny));
     }
 
@@ -155,6 +157,7 @@ namespace MixedCracks
   {
     prm.enter_subsection("Model");
     add_equations(prm, *this);
+    strain.add_parameters(prm);
     add_split(prm, *this);
     prm.leave_subsection();
   }
@@ -168,7 +171,9 @@ namespace MixedCracks
       throw InputError("Model/Displacement degree: found 1 with "
                        "Model/Formulation = mixed; the pair Q1-Q1 for u and p "
                        "is not stable. Allowed: auto, 2.");
-    if (dim == 2 && kinematics == "plane stress" && deviator_dimension == "3")
+    strain.check(energy_split, pressure_law);
+    if (is_plane_stress(dim) && !strain.is_finite() &&
+        deviator_dimension == "3")
       throw InputError("Model/Deviator dimension: found 3 with "
                        "Model/Kinematics = plane stress, whose law acts in the "
                        "plane. Allowed: auto, 2.");
@@ -207,8 +212,8 @@ namespace MixedCracks
   ModelParameters::in_kinematics(const ElasticConstants &constants,
                                  const int               dim) const
   {
-    return dim == 2 && kinematics == "plane stress" ? plane_stress(constants)
-                                                    : constants;
+    return is_plane_stress(dim) && !strain.is_finite() ? plane_stress(constants)
+                                                       : constants;
   }
 
 
@@ -217,7 +222,10 @@ namespace MixedCracks
   ModelParameters::at_point(const MaterialValues &values, const int dim) const
   {
     const ElasticConstants elastic = in_kinematics(values.elastic, dim);
-    return {elastic.lambda, elastic.mu, values.critical_energy_release_rate};
+    return {elastic.lambda,
+            elastic.mu,
+            values.critical_energy_release_rate,
+            values.hyperelastic};
   }
 
 
@@ -269,6 +277,11 @@ namespace MixedCracks
     description.crack_density      = model.crack_density;
     description.energy_split       = model.energy_split;
     description.pressure_law       = model.pressure_law;
+    description.strains            = model.strain.strains();
+    description.hyperelastic_law   = model.strain.law;
+    description.volumetric_form    = model.strain.volumetric_form;
+    description.plane_stress       = model.is_plane_stress(dim);
+    description.largest_stretch    = model.strain.largest_stretch;
     return description;
   }
 } // namespace MixedCracks

@@ -20,6 +20,7 @@ namespace MixedCracks
     coupling.add_parameters(prm);
     material.add_parameters(prm);
     geometry.take_thickness_from(material.thickness);
+    material.take_strains_from(model.strain);
     boundary_conditions.add_parameters(prm);
     fluid.add_parameters(prm);
     initial_cracks.add_parameters(prm);
@@ -73,6 +74,10 @@ namespace MixedCracks
       return geometry.chosen().hint_about_boundaries();
     });
     fluid.check();
+    if (model.strain.is_finite() && fluid.pressure())
+      throw InputError("Fluid/Pressure: found '" + fluid.pressure_text +
+                       "' with Model/Strains = finite. Allowed: 0, which is no "
+                       "fluid; Boundary conditions/Traction is a dead load.");
     initial_cracks.check();
     load.check();
     if (dim == 3 && load.stop_when_separated)

@@ -24,7 +24,6 @@
 
 #include <simulation/case_checks.h>
 #include <simulation/preflight.h>
-#include <simulation/simulation_plausibility.h>
 
 #include <solvers/linear_solver.h>
 
@@ -123,6 +122,9 @@ namespace MixedCracks
     const ModelParameters &model = body.parameters.model;
     return body.parameters.geometry.name_of_chosen() + ", " +
            model.formulation + ", " + kinematics() + ", " +
+           (model.strain.is_finite()
+              ? "finite strain, " + model.strain.law + ", "
+              : "") +
            model.crack_density + ", split " + model.energy_split + ", " +
            model.pressure_law + ", coupling " + body.parameters.coupling.kind;
   }
@@ -233,11 +235,42 @@ namespace MixedCracks
       found.push_back("coupling '" + parameters.coupling.kind +
                       "': a running crack advances about one cell per load "
                       "step, which acts as a rate effect");
+    // those that do not open are laws of small strain
     if (model.mixed() && kinematics() != "plane stress" &&
-        model.pressure_law != "relaxed bulk" && ratio > nearly_incompressible)
+        !model.strain.is_finite() && model.pressure_law != "relaxed bulk" &&
+        ratio > nearly_incompressible)
       found.push_back("pressure law '" + model.pressure_law +
                       "' in a nearly incompressible solid (" + kinematics() +
                       "): cracks hardly open, see doc/model.md, section 3");
+  }
+
+
+
+  template <int dim>
+  bool
+  Preflight<dim>::is_even_rubber() const
+  {
+    const MaterialDescription &material = body.material->description();
+    return material.strains == Strains::finite && material.constants;
+  }
+
+
+
+  // Of rubber that varies with lambda and mu at F = I: the law would have to be
+  // evaluated wherever it differs.
+  template <int dim>
+  ImpliedStrength
+  Preflight<dim>::strength() const
+  {
+    const std::string &density = body.parameters.model.crack_density;
+    if (!is_even_rubber())
+      return implied_strength(
+        density, body.material_range, body.length_scale());
+    const MaterialDescription &rubber = body.material->description();
+    return implied_strength(density,
+                            rubber,
+                            rubber.constants->critical_energy_release_rate,
+                            body.length_scale());
   }
 
 
@@ -250,11 +283,19 @@ namespace MixedCracks
     const std::string too_many_steps = body.parameters.load.warning();
     if (!too_many_steps.empty())
       found.push_back(too_many_steps);
-    const CaseScales scales = case_scales(body.parameters,
-                                          coarse_extent(body.triangulation),
-                                          body.material_range,
-                                          body.length_scale(),
-                                          body.cell_size_at_cracks());
+    CaseScales scales = case_scales(body.parameters,
+                                    coarse_extent(body.triangulation),
+                                    body.material_range,
+                                    body.length_scale(),
+                                    body.cell_size_at_cracks());
+    scales.strength   = strength();
+    if (is_even_rubber())
+    {
+      const std::string decline =
+        warning_about_decline(body.material->description());
+      if (!decline.empty())
+        found.push_back(decline);
+    }
     log.line(in_words(scales.strength));
     const std::string remark = remark_about(scales);
     if (!remark.empty())

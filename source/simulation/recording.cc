@@ -19,7 +19,8 @@ namespace MixedCracks
                                  parameters.point_displacements,
                                  parameters.thickness_factor(),
                                  {}};
-    const std::string    boundary = parameters.force_boundary();
+    options.finite_strain      = parameters.model.strain.is_finite();
+    const std::string boundary = parameters.force_boundary();
     if (!boundary.empty())
       options.force_boundary =
         parameters.geometry.chosen().boundary_ids().at(boundary);

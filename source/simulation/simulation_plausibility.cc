@@ -34,6 +34,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace MixedCracks
 {
@@ -121,9 +122,56 @@ namespace MixedCracks
 
 
 
+  ImpliedStrength
+  implied_strength(const std::string         &crack_density,
+                   const MaterialDescription &rubber,
+                   const double               toughness,
+                   const double               length_scale)
+  {
+    const RubberStrength strength =
+      rubber_strength(RubberBar(rubber),
+                      *all_crack_densities().make(crack_density),
+                      toughness / length_scale);
+    const double strain = strength.stretch - 1.;
+    return {crack_density,
+            0.,
+            {strength.stress, strength.stress},
+            {strain, strain},
+            rubber.hyperelastic_law == "neo-Hooke"
+              ? std::numeric_limits<double>::infinity()
+              : rubber.largest_stretch};
+  }
+
+
+
+  std::string
+  warning_about_decline(const MaterialDescription &rubber)
+  {
+    const auto declines =
+      RubberBar(rubber).stretch_of_decline(rubber.largest_stretch);
+    if (!declines)
+      return "";
+    return printed("the nominal stress of a bar of this %s law declines from "
+                   "the stretch %.3g on, within Model/Largest stretch = %.4g: "
+                   "a body under dead loads may neck there; check "
+                   "Material/Hyperelastic constants",
+                   rubber.hyperelastic_law.c_str(),
+                   *declines,
+                   rubber.largest_stretch);
+  }
+
+
+
   std::string
   in_words(const ImpliedStrength &strength)
   {
+    if (strength.stretch_of_use)
+      return printed("strength of an even bar with %s at finite strain: a "
+                     "nominal stress of ",
+                     strength.crack_density.c_str()) +
+             in_words(strength.stress) +
+             printed(" MPa, at the stretch %.3g",
+                     printable(1. + strength.strain.largest));
     return printed("strength of an even bar with %s: sigma_c = %.3g "
                    "sqrt(E G_c/l) = ",
                    strength.crack_density.c_str(),
@@ -192,6 +240,31 @@ namespace MixedCracks
 
 
 
+    // one that is never reached is no matter
+    void
+    add_far_strains(const CaseScales         &scales,
+                    std::vector<std::string> &warnings)
+    {
+      const ImpliedStrength &strength = scales.strength;
+      const double           farthest = strength.stretch_of_use
+                                          ? *strength.stretch_of_use - 1.
+                                          : largest_strain;
+      const double           reached  = over_strength(
+        scales.largest, strength.stress.smallest, strength.strain.smallest);
+      if (!(strength.strain.smallest > farthest) || !(reached > far_too_small))
+        return;
+      warnings.push_back(
+        in_words(strength) +
+        (strength.stretch_of_use
+           ? printed(", beyond Model/Largest stretch = %.4g, from where on the "
+                     "law goes on as neo-Hooke",
+                     *strength.stretch_of_use)
+           : std::string(", far beyond small strains; check Critical energy "
+                         "release rate, moduli and Length scale")));
+    }
+
+
+
     void
     add_loads(const CaseScales &scales, std::vector<std::string> &warnings)
     {
@@ -226,14 +299,7 @@ namespace MixedCracks
       warnings.push_back(in_words(strength) +
                          ", less than any material bears; check Critical "
                          "energy release rate, moduli and Length scale");
-    // one that is never reached is no matter
-    if (strength.strain.smallest > largest_strain &&
-        over_strength(scales.largest,
-                      strength.stress.smallest,
-                      strength.strain.smallest) > far_too_small)
-      warnings.push_back(in_words(strength) +
-                         ", far beyond small strains; check Critical energy "
-                         "release rate, moduli and Length scale");
+    add_far_strains(scales, warnings);
     add_loads(scales, warnings);
     const double fluid = scales.largest.fluid / strength.stress.largest;
     if (fluid > largest_fluid_pressure)

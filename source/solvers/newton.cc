@@ -20,7 +20,11 @@
 // eta_(k-1)). Bounded by the loosest and tightest allowed, by half of
 // tolerance/|R|, below which digits would be wasted, and by half of
 // required_reduction, without which a good A would be given up for a bad solve.
+//
+// Problems with inadmissible iterates (finite strain) have the line search of
+// line_search.cc instead of the one here.
 
+#include <solvers/line_search.h>
 #include <solvers/newton.h>
 
 #include <algorithm>
@@ -62,13 +66,30 @@ namespace MixedCracks
 
 
 
-    LinearOutcome
-    compute_correction(const NewtonProblem &problem,
-                       const bool           force_new_matrix,
-                       const double         linear_tolerance)
+    SearchOutcome
+    search(const NewtonProblem &problem,
+           const NewtonOptions &options,
+           const ResidualSize  &before)
     {
-      const LinearOutcome matrix = problem.update_matrix(force_new_matrix);
-      return matrix.success ? problem.solve(linear_tolerance) : matrix;
+      if (problem.is_admissible)
+        return guarded_line_search(problem, options, before);
+      SearchOutcome outcome;
+      outcome.found = true;
+      outcome.size  = line_search(problem, options, before);
+      return outcome;
+    }
+
+
+
+    std::string
+    why_no_step(const SearchOutcome &step)
+    {
+      return std::string("no step along Newton's direction lowers the residual "
+                         "or the energy") +
+             (step.met_barrier ? " and keeps the determinant of the "
+                                 "deformation gradient above 0"
+                               : "") +
+             ": there may be no equilibrium near at this load";
     }
 
 
@@ -83,6 +104,36 @@ namespace MixedCracks
              (displacement ? "displacement" : "pressure") +
              " is not finite: loads, prescribed values or constants of the "
              "material are too large, or the matrix is singular";
+    }
+
+
+
+    // the residual at the start, or why there is none
+    NewtonOutcome
+    start_newton(const NewtonProblem &problem)
+    {
+      NewtonOutcome outcome;
+      if (problem.is_admissible && !problem.is_admissible())
+      {
+        outcome.reason = "the state that Newton's method starts from is turned "
+                         "inside out: the determinant of its deformation "
+                         "gradient is not above 0 everywhere";
+        return outcome;
+      }
+      outcome.first = outcome.last = problem.residual();
+      outcome.reason               = in_words_if_not_finite(outcome.first);
+      return outcome;
+    }
+
+
+
+    LinearOutcome
+    compute_correction(const NewtonProblem &problem,
+                       const bool           force_new_matrix,
+                       const double         linear_tolerance)
+    {
+      const LinearOutcome matrix = problem.update_matrix(force_new_matrix);
+      return matrix.success ? problem.solve(linear_tolerance) : matrix;
     }
 
 
@@ -132,9 +183,7 @@ namespace MixedCracks
   NewtonOutcome
   solve_newton(const NewtonProblem &problem, const NewtonOptions &options)
   {
-    NewtonOutcome outcome;
-    outcome.first = outcome.last = problem.residual();
-    outcome.reason               = in_words_if_not_finite(outcome.first);
+    NewtonOutcome outcome = start_newton(problem);
     if (!outcome.reason.empty())
       return outcome;
     bool         force_new_matrix = false;
@@ -168,18 +217,28 @@ namespace MixedCracks
         outcome.reason = linear.reason;
         return outcome;
       }
-      const ResidualSize before = outcome.last;
-      outcome.last              = line_search(problem, options, before);
+      const ResidualSize  before = outcome.last;
+      const SearchOutcome step   = search(problem, options, before);
+      outcome.last               = step.size;
       outcome.iterations += 1;
       outcome.linear_iterations += linear.iterations;
       outcome.reason = in_words_if_not_finite(outcome.last);
       if (!outcome.reason.empty())
         return outcome;
+      if (!step.found)
+      {
+        outcome.reason = why_no_step(step);
+        if (force_new_matrix)
+          return outcome;
+        force_new_matrix = true;
+        continue;
+      }
       linear_tolerance.learn(before.largest(), outcome.last.largest());
       force_new_matrix =
         outcome.last.largest() > options.required_reduction * before.largest();
     }
     outcome.converged = true;
+    outcome.reason.clear();
     return outcome;
   }
 } // namespace MixedCracks

@@ -243,9 +243,11 @@ namespace MixedCracks
 
   template <int dim>
   void
-  StepSolver<dim>::look_for_rest(const double factor, StepOutcome &outcome)
+  StepSolver<dim>::look_for_rest(const State &trial,
+                                 const double factor,
+                                 StepOutcome &outcome)
   {
-    stored_energy.add(0.5 * elastic.loads_times_displacements(), factor);
+    stored_energy.add(elastic.stored_energy(trial), factor);
     outcome.at_rest = stored_energy.is_at_rest(energy_at_rest);
   }
 
@@ -275,14 +277,26 @@ namespace MixedCracks
 
 
   template <int dim>
-  void
+  NewtonOutcome
   StepSolver<dim>::start(const State &accepted, State &trial)
   {
     start_lagged_field(accepted, trial);
     trial.phase_field = accepted.phase_field;
-    elastic.predict(accepted, trial);
     log.line("  coupl  |r_u| in       out   out |r_p| active"
              "  changes    sets newton  linear  |phi-phi~| factor");
+    return elastic.predict(accepted, trial, newton_options);
+  }
+
+
+
+  // What was predicted is the best guess there is, unless it turns cells of the
+  // new mesh inside out.
+  template <int dim>
+  bool
+  StepSolver<dim>::goes_on(const StepOutcome &so_far, const State &trial) const
+  {
+    return is_iterated(trial) && so_far.mesh_is_too_coarse &&
+           elastic.is_admissible(trial);
   }
 
 
@@ -311,13 +325,17 @@ namespace MixedCracks
     acceleration.restart();
     stored_energy.restart();
     // of the step from the last iteration to this one
-    double factor = 0.;
-    if (!iterated || !outcome.mesh_is_too_coarse)
-      start(accepted, trial);
-    else
-      // what was predicted is the best guess there is
+    double              factor = 0.;
+    const bool          is_new = !goes_on(outcome, trial);
+    const NewtonOutcome predicted =
+      is_new ? start(accepted, trial) : NewtonOutcome();
+    if (!is_new)
       trial.lagged_phase_field = trial.phase_field;
     outcome.mesh_is_too_coarse = false;
+    outcome.newton_iterations += predicted.iterations;
+    outcome.linear_iterations += predicted.linear_iterations;
+    if (is_new && !predicted.converged)
+      return left(outcome, predicted.reason);
 
     while (true)
     {
@@ -343,7 +361,7 @@ namespace MixedCracks
       }
       if (iterated)
       {
-        look_for_rest(factor, outcome);
+        look_for_rest(trial, factor, outcome);
         look_for_separation(trial, outcome);
       }
       const bool settled = is_settled(outcome) &&

@@ -38,6 +38,7 @@ namespace MixedCracks
     , solver_options(solver_parameters.linear)
     , stop(std::move(stop))
     , auxiliaries(fields, constraints)
+    , potential(fields, constraints, assembler)
   {}
 
 
@@ -90,10 +91,12 @@ namespace MixedCracks
   ElasticStep<dim>::describe_system()
   {
     LinearSystem system;
-    system.matrix       = &matrix;
-    system.symmetry     = assembler.elastic_matrix_is_symmetric()
-                            ? MatrixSymmetry::symmetric
-                            : MatrixSymmetry::none;
+    system.matrix = &matrix;
+    // at finite strain it is symmetric but need not be positive definite
+    const bool is_symmetric = assembler.elastic_matrix_is_symmetric() &&
+                              (solver->is_direct() || !assembler.is_finite());
+    system.symmetry =
+      is_symmetric ? MatrixSymmetry::symmetric : MatrixSymmetry::none;
     system.n_components = dim;
     system.is_pressure  = pressure_dofs;
     for (const auto dof : fields.elastic_dofs.owned)
@@ -190,46 +193,6 @@ namespace MixedCracks
 
 
 
-  // Proportional loading: with b = (u_D, F) at the accepted time and a at the
-  // new one, ratio = a . b / b . b is the least-squares factor, and where a =
-  // ratio b to rounding (|a - ratio b|^2 <= 1e-24 |ratio b|^2) the start is
-  // ratio * (u, p): exact while phi does not change, since the law is
-  // homogeneous of degree one. Otherwise (u, p) of the accepted state with the
-  // new u_D. Units of u_D and F are mixed here, which does no harm: each has to
-  // be proportional.
-  template <int dim>
-  void
-  ElasticStep<dim>::predict(const State &accepted, State &trial) const
-  {
-    Vector before = fields.owned_vector(fields.elastic_dofs);
-    Vector after  = before;
-    constraints.apply_prescribed(accepted.time, before);
-    constraints.apply_prescribed(trial.time, after);
-    const Vector forces_before =
-      external_forces(accepted.time, trial.lagged_phase_field);
-    Vector forces_after = external_forces(trial.time, trial.lagged_phase_field);
-
-    const double size = before * before + forces_before * forces_before;
-    const double ratio =
-      size > 0. ? (before * after + forces_before * forces_after) / size : 0.;
-    Vector start(after);
-    start = accepted.elastic;
-    if (size > 0.)
-    {
-      Vector difference(after);
-      difference.add(-ratio, before);
-      forces_after.add(-ratio, forces_before);
-      const double error =
-        difference * difference + forces_after * forces_after;
-      if (error <= 1e-24 * ratio * ratio * size)
-        start *= ratio;
-    }
-    constraints.apply_prescribed(trial.time, start);
-    trial.elastic = start;
-  }
-
-
-
   template <int dim>
   DrivingForce
   ElasticStep<dim>::driving_force() const
@@ -270,9 +233,9 @@ namespace MixedCracks
   //
   //   W = 1/2 (F_0 + F_1 + r_0 + r_1) . (u_1 - u_0) + W_fluid,
   //
-  // exact where both are linear in the step. r is the residual before the
-  // supports are taken out: 0 at free nodes, what a support gives at the
-  // others.
+  // exact where both are linear in the step, as at small strain while nothing
+  // breaks. r is the residual before the supports are taken out: 0 at free
+  // nodes, what a support gives at the others.
   template <int dim>
   double
   ElasticStep<dim>::external_work(const State &before, const State &after) const
@@ -294,14 +257,17 @@ namespace MixedCracks
 
 
 
-  // (r + F) . u = internal . u = integral of sigma : eps = twice the stored
-  // energy, as R = 0 at free nodes and the constraint holds.
+  // At small strain (r + F) . u = internal . u = integral of sigma : eps =
+  // twice the stored energy, as R = 0 at free nodes and the constraint holds.
+  // At finite strain the law has it.
   template <int dim>
   double
-  ElasticStep<dim>::loads_times_displacements() const
+  ElasticStep<dim>::stored_energy(const State &state) const
   {
+    if (assembler.is_finite())
+      return assembler.stored_energy(state.elastic, state.lagged_phase_field);
     // solve() left nothing but reactions in the residual
-    return full_residual * iterate + external * iterate;
+    return 0.5 * (full_residual * iterate + external * iterate);
   }
 
 

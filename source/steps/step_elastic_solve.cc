@@ -12,10 +12,16 @@
 // iteration in which no regime changes. With the factors of an older matrix
 // A_old it is a quasi-Newton method, that contracts by about |g - g_old|/g_old.
 //
-// It can cycle, where a crack that is nearly free of stiffness opens in one
-// iteration and closes in the next. Then a continuation in the phase field of
-// the degradation: max(phi~, m) for m = 0.1, 0.03, ... 0.001, 0, each solution
-// the start for the next. The stiffness left in a crack is about (1-kappa) m^2
+// At finite strain R is smooth but for the splits, the tangent is another one
+// in every state, and Newton's method is kept where det F > 0 (guard(),
+// solvers/line_search.cc). An old matrix is tried where neither g nor F has
+// changed much.
+//
+// At small strain it can cycle, where a crack that is nearly free of stiffness
+// opens in one iteration and closes in the next. Then a continuation in the
+// phase field of the degradation: max(phi~, m) for m = 0.1, 0.03, ... 0.001, 0,
+// each solution the start for the next. The stiffness left in a crack is about
+// (1-kappa) m^2
 // + kappa.
 
 #include <steps/step_elastic.h>
@@ -94,11 +100,13 @@ namespace MixedCracks
     for (std::size_t i = 0; i < pressure_dofs.size(); ++i)
       squares[pressure_dofs[i] ? 1 : 0] += values[i] * values[i];
     Utilities::MPI::sum(squares, fields.communicator(), squares);
-    const double load = external.l2_norm();
+    const double displacement_scale =
+      std::max(assessment.displacement_scale, external.l2_norm());
     ask_to_stop("assembly of the residual");
-    return {relative(std::sqrt(squares[0]),
-                     std::max(assessment.displacement_scale, load)),
-            relative(std::sqrt(squares[1]), assessment.pressure_scale)};
+    return {relative(std::sqrt(squares[0]), displacement_scale),
+            relative(std::sqrt(squares[1]), assessment.pressure_scale),
+            displacement_scale,
+            assessment.pressure_scale};
   }
 
 
@@ -106,15 +114,22 @@ namespace MixedCracks
   // A new matrix only where the old one is not good enough: a point in another
   // regime, or g changed by more than the allowed part (direct solver) or at
   // all (iterative). Newton's method forces one when the old factors have not
-  // reduced the residual enough.
+  // reduced the residual enough. At finite strain F must not have changed by
+  // more than the allowed part either, and what is forced is made: the distance
+  // knows nothing of the pressure.
   template <int dim>
   LinearOutcome
-  ElasticStep<dim>::update_matrix(const bool force)
+  ElasticStep<dim>::update_matrix(const bool           force,
+                                  const NewtonOptions &options)
   {
     // assembly is cheap, factors are not
-    const double allowed_change =
-      force || !solver->is_direct() ? 0. : largest_degradation_change;
-    if (assessment.regime_changes == 0. &&
+    const bool   may_be_old     = !force && solver->is_direct();
+    const double allowed_change = may_be_old ? largest_degradation_change : 0.;
+    const bool   is_near_in_shape =
+      !assembler.is_finite() ||
+      (may_be_old &&
+       assessment.deformation_change < options.largest_deformation_change);
+    if (assessment.regime_changes == 0. && is_near_in_shape &&
         assessment.degradation_change <= allowed_change)
       return {};
     {
@@ -165,7 +180,7 @@ namespace MixedCracks
     problem.is_to_stop    = [&]() { return is_stopped; };
     problem.residual      = [&]() { return evaluate_residual(trial); };
     problem.update_matrix = [&](const bool force) {
-      return update_matrix(force);
+      return update_matrix(force, options);
     };
     problem.solve = [&](const double relative_tolerance) {
       return solve_for_correction(relative_tolerance);
@@ -174,7 +189,33 @@ namespace MixedCracks
       iterate.add(factor, correction);
       trial.elastic = iterate;
     };
+    if (assembler.is_finite())
+      guard(problem, trial);
     return solve_newton(problem, options);
+  }
+
+
+
+  // Pi(u) - F . u, minimal in the displacement formulation; in the mixed one
+  // (u, p) is a saddle point, and Pi has p eliminated.
+  template <int dim>
+  void
+  ElasticStep<dim>::guard(NewtonProblem &problem, const State &trial)
+  {
+    problem.is_admissible = [&]() { return is_admissible(trial); };
+    problem.potential     = [&]() {
+      TimerOutput::Scope scope(timer, "assembly");
+      return potential.value(trial.elastic, trial.lagged_phase_field) -
+             external * iterate;
+    };
+    problem.slope = [&]() {
+      TimerOutput::Scope scope(timer, "assembly");
+      Vector             along = fields.ghosted_vector(fields.elastic_dofs);
+      along                    = correction;
+      return potential.slope(along, trial.lagged_phase_field) -
+             external * correction;
+    };
+    problem.is_minimum = !fields.layout.mixed;
   }
 
 
@@ -249,9 +290,14 @@ namespace MixedCracks
 
 
 
-#define INSTANTIATE(dim)                                                     \
-  template ResidualSize  ElasticStep<dim>::evaluate_residual(const State &); \
-  template NewtonOutcome ElasticStep<dim>::solve(State &,                    \
+#define INSTANTIATE(dim)                                                      \
+  template ResidualSize  ElasticStep<dim>::evaluate_residual(const State &);  \
+  template LinearOutcome ElasticStep<dim>::update_matrix(                     \
+    bool, const NewtonOptions &);                                             \
+  template LinearOutcome ElasticStep<dim>::solve_for_correction(double);      \
+  template NewtonOutcome ElasticStep<dim>::solve_once(State &,                \
+                                                      const NewtonOptions &); \
+  template NewtonOutcome ElasticStep<dim>::solve(State &,                     \
                                                  const NewtonOptions &);
   INSTANTIATE(2)
   INSTANTIATE(3)

@@ -33,6 +33,8 @@ SHORT = {
     "sneddon_2d_incompressible.prm": [
         "Mesh/Refined boxes=-1.5,-0.5 : 1.5,0.5 : 3"],
     "sneddon_3d.prm": ["Mesh/Refined boxes=-2,-2,-2 : 2,2,2 : 1"],
+    "pure_shear.prm": ["Mesh/Refined surroundings=", "Mesh/Adaptive levels=0"],
+    "tearing_strip.prm": ["Mesh/Refined boxes="],
     "slit_cube.prm": ["Mesh/Adaptive levels=0"],
     "heterogeneous_block.prm": ["Mesh/Adaptive levels=0"],
     "block_with_inclusion.prm": ["Mesh/Adaptive levels=0"],

@@ -65,6 +65,7 @@ namespace
     row["refinements"]            = 30;
     row["crack_volume"]           = 31.;
     row["crack_length"]           = 32.;
+    row["min_jacobian"]           = 37.;
     row.point_displacements       = {33., 34.};
     record.field_files            = {{0., "fields/a b.pvtu"}, {1., "c"}};
     record.tables                 = {{"crack_opening.csv", ""},
@@ -114,7 +115,7 @@ TEST(RunRecord, EveryColumnIsWrittenAndRead)
 {
   std::string text = text_of(example());
   std::replace(text.begin(), text.end(), '\n', ' ');
-  for (int number = 10; number <= 36; ++number)
+  for (int number = 10; number <= 37; ++number)
     EXPECT_NE(text.find(' ' + std::to_string(number) + ' '), std::string::npos)
       << "the column that is " << number << " in the example";
 }
@@ -126,7 +127,7 @@ TEST(RunRecord, ARowHasTheLayoutOfTheFormat)
 {
   EXPECT_NE(text_of(example()).find(
               "\n1 10 11 12 13 14 15 16 17 18 19 20 21 22 23 24 25 26 27 "
-              "28 29 30 31 2\n33 34 32 \n"),
+              "28 29 30 31 2\n33 34 32 37 \n"),
             std::string::npos);
 }
 

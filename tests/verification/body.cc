@@ -49,6 +49,24 @@ namespace MixedCracks
 
 
 
+    namespace
+    {
+      template <int dim>
+      typename BodyIn<dim>::MeshMaker
+      moved(const Parameters<dim>                &parameters,
+            const typename BodyIn<dim>::Position &shape)
+      {
+        if (!shape)
+          return {};
+        return [&parameters, shape](Triangulation<dim> &coarse) {
+          parameters.geometry.chosen().create(coarse);
+          GridTools::transform(shape, coarse);
+        };
+      }
+    } // namespace
+
+
+
     template <int dim>
     BodyIn<dim>::BodyIn(const std::string &prm, const Position &shape)
       : parameters(prm)
@@ -66,7 +84,39 @@ namespace MixedCracks
               TimerOutput::never,
               TimerOutput::wall_times)
     {
-      make_mesh_of(shape);
+      make_mesh_of(moved(parameters, shape));
+      set_up();
+    }
+
+
+
+    template <int dim>
+    BodyIn<dim>::BodyIn(const std::string &prm, const MeshMaker &coarse_mesh)
+      : parameters(prm)
+      , triangulation(MPI_COMM_WORLD)
+      , fields(triangulation,
+               {parameters.model.mixed(), parameters.model.degree()})
+      , constraints(
+          fields,
+          prescribed_components(parameters,
+                                dim + (parameters.model.mixed() ? 1 : 0)),
+          prescribed_points(parameters,
+                            dim + (parameters.model.mixed() ? 1 : 0)))
+      , timer(MPI_COMM_WORLD,
+              std::cout,
+              TimerOutput::never,
+              TimerOutput::wall_times)
+    {
+      make_mesh_of(coarse_mesh);
+      set_up();
+    }
+
+
+
+    template <int dim>
+    void
+    BodyIn<dim>::set_up()
+    {
       cell_size =
         GridTools::minimal_cell_diameter(triangulation) / std::sqrt(1. * dim);
       material = std::make_unique<Material<dim>>(describe_material(
@@ -98,16 +148,15 @@ namespace MixedCracks
 
     template <int dim>
     void
-    BodyIn<dim>::make_mesh_of(const Position &shape)
+    BodyIn<dim>::make_mesh_of(const MeshMaker &coarse_mesh)
     {
-      if (!shape)
+      if (!coarse_mesh)
       {
         make_mesh(parameters, triangulation);
         return;
       }
       Triangulation<dim> coarse;
-      parameters.geometry.chosen().create(coarse);
-      GridTools::transform(shape, coarse);
+      coarse_mesh(coarse);
       triangulation.copy_triangulation(coarse);
       triangulation.refine_global(parameters.mesh.global_refinements);
     }
@@ -133,18 +182,73 @@ namespace MixedCracks
 
 
     template <int dim>
-    NewtonOutcome
-    BodyIn<dim>::solve(const double time)
+    void
+    BodyIn<dim>::start(const double time)
     {
-      state.time                  = time;
+      const State before = state;
+      state.time         = time;
+      if (material->is_finite())
+      {
+        const NewtonOutcome predicted =
+          elastic_step->predict(before, state, parameters.solver.newton);
+        EXPECT_TRUE(predicted.converged) << predicted.reason;
+        return;
+      }
       LinearAlgebra::Vector start = fields.owned_vector(fields.elastic_dofs);
       start                       = state.elastic;
       constraints.apply_prescribed(time, start);
       state.elastic = start;
+    }
+
+
+
+    template <int dim>
+    NewtonOutcome
+    BodyIn<dim>::solve(const double time)
+    {
+      start(time);
       const NewtonOutcome outcome =
         elastic_step->solve(state, parameters.solver.newton);
       EXPECT_TRUE(outcome.converged) << outcome.reason;
       return outcome;
+    }
+
+
+
+    template <int dim>
+    std::vector<double>
+    BodyIn<dim>::newton_history(const double time, const double tolerance)
+    {
+      start(time);
+      NewtonOptions options              = parameters.solver.newton;
+      options.tolerance                  = tolerance;
+      options.max_iterations             = 1;
+      options.largest_deformation_change = 0.;
+      std::vector<double> result;
+      while (result.size() < 20 &&
+             (result.empty() || result.back() > tolerance))
+      {
+        const NewtonOutcome outcome = elastic_step->solve(state, options);
+        if (result.empty())
+          result.push_back(outcome.first.largest());
+        result.push_back(outcome.last.largest());
+      }
+      return result;
+    }
+
+
+
+    // on the rows of supports, which is where there are reactions
+    template <int dim>
+    double
+    BodyIn<dim>::reaction_times_displacement() const
+    {
+      LinearAlgebra::Vector displacement =
+        fields.owned_vector(fields.elastic_dofs);
+      LinearAlgebra::Vector force(displacement);
+      displacement = state.elastic;
+      force        = state.reaction;
+      return force * displacement;
     }
 
 

@@ -23,18 +23,33 @@ namespace MixedCracks
     public:
       using Position =
         std::function<dealii::Point<dim>(const dealii::Point<dim> &)>;
-      using Scalar = std::function<double(const dealii::Point<dim> &)>;
+      using Scalar    = std::function<double(const dealii::Point<dim> &)>;
+      using MeshMaker = std::function<void(dealii::Triangulation<dim> &)>;
 
       /// @p prm: entries as 'Subsection/Entry = value', one per line.
       /// @p shape: where the points of the coarse mesh are moved to.
       explicit BodyIn(const std::string &prm, const Position &shape = {});
 
+      /// @p coarse_mesh: makes it, with the boundaries that the geometry of
+      /// @p prm has.
+      BodyIn(const std::string &prm, const MeshMaker &coarse_mesh);
+
       /// The phase field the stiffness is degraded with; 1 at first.
       void set_phase_field(const Scalar &phase_field);
 
-      /// Solve for displacement and pressure at @p time. Fails the test when
-      /// Newton's method does not converge.
+      /// Solve for displacement and pressure at @p time; at finite strain from
+      /// what is predicted. Fails the test when Newton's method does not
+      /// converge.
       NewtonOutcome solve(double time = 1.);
+
+      /// The same with a new matrix in each iteration: the residuals, relative
+      /// to the terms that cancel in them, from the start to the one that is
+      /// below @p tolerance.
+      std::vector<double> newton_history(double time, double tolerance);
+
+      /// Of the last solution: forces of the supports times the displacements
+      /// that they hold; N mm (2-d: per mm thickness).
+      double reaction_times_displacement() const;
 
       /// Consistent reaction on a boundary, N (2-d: per mm thickness), positive
       /// in tension.
@@ -66,7 +81,12 @@ namespace MixedCracks
         explicit ReadParameters(const std::string &prm);
       };
 
-      void make_mesh_of(const Position &shape);
+      void make_mesh_of(const MeshMaker &coarse_mesh);
+
+      void set_up();
+
+      /// Time, prescribed displacements, and where Newton's method starts.
+      void start(double time);
 
     public:
       const ReadParameters                              parameters;

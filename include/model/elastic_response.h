@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#ifndef mixed_cracks_model_elastic_response_h
+#define mixed_cracks_model_elastic_response_h
+
+#include <deal.II/base/symmetric_tensor.h>
+#include <deal.II/base/tensor.h>
+
+namespace MixedCracks
+{
+  /// Stress, constraint and their derivatives at one point for a given
+  /// degradation: the integrands of (stress, grad w) and (constraint, q), the
+  /// first two lines of (M5). Derivatives are valid only where they have been
+  /// asked for.
+  template <int dim>
+  struct ElasticResponse
+  {
+    /// sigma = g sigma+ + sigma-, symmetric; at finite strain P, first
+    /// Piola-Kirchhoff. MPa.
+    dealii::Tensor<2, dim> stress;
+    /// divergence tr(eps) - compliance p; at finite strain s theta(J) -
+    /// p/lambda_d, see (M13), (M13b).
+    double constraint = 0.;
+    /// 1/MPa, negative.
+    double constraint_by_pressure = 0.;
+
+    /// Small strains only; MPa.
+    dealii::SymmetricTensor<4, dim> stress_by_strain;
+    /// Small strains only: d(stress)/dp = this * I.
+    double stress_by_pressure = 0.;
+    /// Small strains only: d(constraint)/d(tr eps).
+    double constraint_by_trace = 0.;
+
+    /// Finite strain only: dP_iJ/d(grad u)_kL, MPa, with major symmetry; F_33
+    /// condensed out in plane stress.
+    dealii::Tensor<4, dim> stress_by_gradient;
+    /// Finite strain only: dP/dp = d(constraint)/d(grad u), dimensionless.
+    dealii::Tensor<2, dim> coupling;
+  };
+} // namespace MixedCracks
+
+#endif

@@ -1,0 +1,296 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// Energies and what else is said about one point of rubber, (M11) to (M15);
+// the symbols are those of finite_strain.cc, energies in MPa:
+//
+//   p            = s theta/c,               theta with the F_33 of P_33 = 0
+//   D            = 2 Psi+ = 2 W~ + driving p theta                      (M15)
+//   psi          = a W~ + c p^2/2
+//   psi(grad u)  = a W~ + s^2 theta^2/(2 c), p eliminated
+//   sigma        = P F^T/J
+//
+// and the parts a W~, s theta and c of Pi for a line search, which eliminates
+// p in the discrete space.
+
+#include <model/finite_strain.h>
+
+#include <cmath>
+#include <limits>
+
+namespace MixedCracks
+{
+  using dealii::SymmetricTensor;
+  using dealii::Tensor;
+
+  namespace
+  {
+    const double undefined = std::numeric_limits<double>::quiet_NaN();
+  }
+
+
+
+  template <int dim>
+  double
+  FiniteStrain<dim>::pressure(const Gradient       &gradient,
+                              const double          g,
+                              const PointConstants &at) const
+  {
+    const auto deformation = at_constraint(gradient, g, at);
+    if (!deformation)
+      return undefined;
+    const double theta = form->measure(deformation->volume_change).value;
+    const FinitePressureCoefficients now = coefficients(theta, g, at);
+    return now.volume * theta / now.compliance;
+  }
+
+
+
+  template <int dim>
+  double
+  FiniteStrain<dim>::driving_force(const Gradient       &gradient,
+                                   const double          pressure,
+                                   const double          g,
+                                   const PointConstants &at) const
+  {
+    const auto deformation = at_pressure(gradient, pressure, g, at);
+    if (!deformation)
+      return undefined;
+    const HyperelasticConstants constants = law_constants(at);
+    double                      force     = 2. * (split->only_stretches_drive
+                                                    ? law->tensile_energy(*deformation, constants)
+                                                    : law->energy(*deformation, constants));
+    if (split->drives(pressure))
+      force += coefficients(pressure, g, at).driving * pressure *
+               form->measure(deformation->volume_change).value;
+    return force;
+  }
+
+
+
+  template <int dim>
+  double
+  FiniteStrain<dim>::elastic_energy(const Gradient       &gradient,
+                                    const double          pressure,
+                                    const double          g,
+                                    const PointConstants &at) const
+  {
+    const Potential parts = potential(gradient, pressure, g, at);
+    return parts.distortion + 0.5 * parts.compliance * pressure * pressure;
+  }
+
+
+
+  // By the ratio of the pressures that the constraint gives at this point,
+  // which in plane stress differ through F_33 too: there p falls about as g,
+  // where s/c may fall by a thousand. The discrete p solves the constraint in
+  // the mean only, so that it is scaled. Where the ratio says nothing, as with
+  // p = 0, it is that of the stiffnesses.
+  template <int dim>
+  double
+  FiniteStrain<dim>::pressure_after(const double          pressure,
+                                    const double          g_before,
+                                    const double          g_after,
+                                    const PointConstants &at,
+                                    const Gradient       &gradient) const
+  {
+    if (g_before == g_after || pressure == 0.)
+      return pressure;
+    if (plane_stress)
+    {
+      const double ratio = this->pressure(gradient, g_after, at) /
+                           this->pressure(gradient, g_before, at);
+      if (std::isfinite(ratio) && ratio > 0.)
+        return ratio * pressure;
+      return g_before > 0. ? pressure * g_after / g_before : 0.;
+    }
+    const FinitePressureCoefficients before =
+      coefficients(pressure, g_before, at);
+    const FinitePressureCoefficients after =
+      coefficients(pressure, g_after, at);
+    const double stiffness = before.volume / before.compliance;
+    return stiffness > 0.
+             ? pressure * (after.volume / after.compliance) / stiffness
+             : 0.;
+  }
+
+
+
+  template <int dim>
+  typename FiniteStrain<dim>::Potential
+  FiniteStrain<dim>::potential(const Gradient       &gradient,
+                               const double          pressure,
+                               const double          g,
+                               const PointConstants &at) const
+  {
+    const auto deformation = at_pressure(gradient, pressure, g, at);
+    if (!deformation)
+      return {undefined, undefined, undefined};
+    const FinitePressureCoefficients now = coefficients(pressure, g, at);
+    return {now.distortion * law->energy(*deformation, law_constants(at)),
+            now.volume * form->measure(deformation->volume_change).value,
+            now.compliance};
+  }
+
+
+
+  template <int dim>
+  double
+  FiniteStrain<dim>::eliminated_energy(const Gradient       &gradient,
+                                       const double          g,
+                                       const PointConstants &at) const
+  {
+    const auto deformation = at_constraint(gradient, g, at);
+    if (!deformation)
+      return std::numeric_limits<double>::infinity();
+    const double theta = form->measure(deformation->volume_change).value;
+    const FinitePressureCoefficients now    = coefficients(theta, g, at);
+    const double                     volume = now.volume * theta;
+    return now.distortion * law->energy(*deformation, law_constants(at)) +
+           0.5 * volume * volume / now.compliance;
+  }
+
+
+
+  template <int dim>
+  double
+  FiniteStrain<dim>::determinant(const Gradient &gradient)
+  {
+    Gradient deformation = gradient;
+    for (unsigned int d = 0; d < dim; ++d)
+      deformation[d][d] += 1.;
+    return dealii::determinant(deformation);
+  }
+
+
+
+  template <int dim>
+  double
+  FiniteStrain<dim>::volume_ratio(const Gradient       &gradient,
+                                  const double          pressure,
+                                  const double          g,
+                                  const PointConstants &at) const
+  {
+    const auto deformation = at_pressure(gradient, pressure, g, at);
+    return deformation ? 1. + deformation->volume_change : undefined;
+  }
+
+
+
+  template <int dim>
+  Tensor<2, 3>
+  FiniteStrain<dim>::deformation_gradient(const Gradient       &gradient,
+                                          const double          pressure,
+                                          const double          g,
+                                          const PointConstants &at) const
+  {
+    const auto deformation = at_pressure(gradient, pressure, g, at);
+    if (deformation)
+      return deformation->gradient;
+    Tensor<2, 3> result;
+    for (unsigned int i = 0; i < 3; ++i)
+      for (unsigned int j = 0; j < 3; ++j)
+        result[i][j] = undefined;
+    return result;
+  }
+
+
+
+  template <int dim>
+  SymmetricTensor<2, 3>
+  FiniteStrain<dim>::cauchy_stress(const Gradient       &gradient,
+                                   const double          pressure,
+                                   const double          g,
+                                   const PointConstants &at) const
+  {
+    const auto deformation = at_pressure(gradient, pressure, g, at);
+    if (!deformation)
+      return undefined * dealii::unit_symmetric_tensor<3>();
+    const Full full = in_space(
+      *deformation, pressure, coefficients(pressure, g, at), at, false);
+    return symmetrize(full.stress * transpose(deformation->gradient)) /
+           (1. + deformation->volume_change);
+  }
+
+
+
+  template double FiniteStrain<2>::pressure(const Tensor<2, 2> &,
+                                            double,
+                                            const PointConstants &) const;
+  template double FiniteStrain<2>::driving_force(const Tensor<2, 2> &,
+                                                 double,
+                                                 double,
+                                                 const PointConstants &) const;
+  template double FiniteStrain<2>::elastic_energy(const Tensor<2, 2> &,
+                                                  double,
+                                                  double,
+                                                  const PointConstants &) const;
+  template double FiniteStrain<2>::pressure_after(double,
+                                                  double,
+                                                  double,
+                                                  const PointConstants &,
+                                                  const Tensor<2, 2> &) const;
+  template FiniteStrain<2>::Potential
+  FiniteStrain<2>::potential(const Tensor<2, 2> &,
+                             double,
+                             double,
+                             const PointConstants &) const;
+  template double
+                  FiniteStrain<2>::eliminated_energy(const Tensor<2, 2> &,
+                                     double,
+                                     const PointConstants &) const;
+  template double FiniteStrain<2>::determinant(const Tensor<2, 2> &);
+  template double FiniteStrain<2>::volume_ratio(const Tensor<2, 2> &,
+                                                double,
+                                                double,
+                                                const PointConstants &) const;
+  template Tensor<2, 3>
+  FiniteStrain<2>::deformation_gradient(const Tensor<2, 2> &,
+                                        double,
+                                        double,
+                                        const PointConstants &) const;
+  template SymmetricTensor<2, 3>
+  FiniteStrain<2>::cauchy_stress(const Tensor<2, 2> &,
+                                 double,
+                                 double,
+                                 const PointConstants &) const;
+
+  template double FiniteStrain<3>::pressure(const Tensor<2, 3> &,
+                                            double,
+                                            const PointConstants &) const;
+  template double FiniteStrain<3>::driving_force(const Tensor<2, 3> &,
+                                                 double,
+                                                 double,
+                                                 const PointConstants &) const;
+  template double FiniteStrain<3>::elastic_energy(const Tensor<2, 3> &,
+                                                  double,
+                                                  double,
+                                                  const PointConstants &) const;
+  template double FiniteStrain<3>::pressure_after(double,
+                                                  double,
+                                                  double,
+                                                  const PointConstants &,
+                                                  const Tensor<2, 3> &) const;
+  template FiniteStrain<3>::Potential
+  FiniteStrain<3>::potential(const Tensor<2, 3> &,
+                             double,
+                             double,
+                             const PointConstants &) const;
+  template double
+                  FiniteStrain<3>::eliminated_energy(const Tensor<2, 3> &,
+                                     double,
+                                     const PointConstants &) const;
+  template double FiniteStrain<3>::determinant(const Tensor<2, 3> &);
+  template double FiniteStrain<3>::volume_ratio(const Tensor<2, 3> &,
+                                                double,
+                                                double,
+                                                const PointConstants &) const;
+  template Tensor<2, 3>
+  FiniteStrain<3>::deformation_gradient(const Tensor<2, 3> &,
+                                        double,
+                                        double,
+                                        const PointConstants &) const;
+  template SymmetricTensor<2, 3>
+  FiniteStrain<3>::cauchy_stress(const Tensor<2, 3> &,
+                                 double,
+                                 double,
+                                 const PointConstants &) const;
+} // namespace MixedCracks
