@@ -21,16 +21,15 @@
 //   A_ijkl - A_ij33 A_33kl/A_3333,   N_ij - A_ij33 N_33/A_3333,
 //   -(c + N_33^2/A_3333),
 //
-// A_3333 > 0, or there is no F_33 (plane_stress.cc). With a split of the
-// pressure, a, s and c depend on the sign of p, which is that of theta where p
-// is eliminated; s and c jump there, and s p and p^2 do not.
+// A_3333 > 0, or there is no F_33 (finite_strain_kinematics.cc). With a split
+// of the pressure, a, s and c depend on the sign of p, which is that of theta
+// where p is eliminated; s and c jump there, and s p and p^2 do not.
 //
 //   D     = 2 W~ + driving p theta                                (M15), MPa
 //   psi   = a W~ + c p^2/2        stored energy, Pi with p of the constraint
 //   sigma = P F^T/J               Cauchy's stress
 
 #include <model/finite_strain.h>
-#include <model/plane_stress.h>
 
 #include <base/errors.h>
 
@@ -71,22 +70,6 @@ namespace MixedCracks
       result.constraint_by_pressure = undefined;
       result.stress_by_gradient     = filled<4, dim>(undefined);
       result.coupling               = filled<2, dim>(undefined);
-      return result;
-    }
-
-    // F from grad u; @p stretch: F_33 in 2-d
-    template <int dim>
-    Tensor<2, 3>
-    gradient_in_space(const Tensor<2, dim> &gradient, const double stretch)
-    {
-      Tensor<2, 3> result;
-      result[2][2] = stretch;
-      for (unsigned int i = 0; i < dim; ++i)
-      {
-        for (unsigned int j = 0; j < dim; ++j)
-          result[i][j] = gradient[i][j];
-        result[i][i] += 1.;
-      }
       return result;
     }
 
@@ -201,108 +184,6 @@ namespace MixedCracks
                                   const PointConstants &at) const
   {
     return pressure_law->coefficients(moduli(at), g, split->fades(sign));
-  }
-
-
-
-  // F_33 from P_33 = 0 where p is given: in closed form for neo-Hooke, from
-  // which the search for other laws starts
-  template <int dim>
-  double
-  FiniteStrain<dim>::stretch_at_pressure(const Gradient       &gradient,
-                                         const double          pressure,
-                                         const double          g,
-                                         const PointConstants &at) const
-  {
-    const double                     area       = determinant(gradient);
-    const HyperelasticConstants      constants  = law_constants(at);
-    const FinitePressureCoefficients now        = coefficients(pressure, g, at);
-    const double                     transverse = now.volume * pressure * area;
-    const double                     start =
-      neo_hooke_thickness(now.distortion * law->mu(constants), transverse);
-    if (law->is_neo_hooke() && form->is_linear())
-      return start;
-    return thickness_stretch(
-      [&](const double stretch) {
-        const Deformation   here(gradient_in_space(gradient, stretch));
-        const VolumeMeasure theta = form->measure(here.volume_change);
-        const auto          shape = law->out_of_plane(here, constants);
-        return OutOfPlaneDerivatives{
-          now.distortion * shape.first + transverse * theta.first,
-          now.distortion * shape.second + transverse * area * theta.second};
-      },
-      start);
-  }
-
-
-
-  // F_33 where p = s theta/c. The sign of theta decides on s and c: for
-  // neo-Hooke it is that of J_2 - 1, since P_33 at J = 1 is a mu (1/J_2 - J_2).
-  template <int dim>
-  double
-  FiniteStrain<dim>::stretch_at_constraint(const Gradient       &gradient,
-                                           const double          g,
-                                           const PointConstants &at) const
-  {
-    const double                area      = determinant(gradient);
-    const HyperelasticConstants constants = law_constants(at);
-    const auto bulk = [](const FinitePressureCoefficients &now) {
-      return now.volume * now.volume / now.compliance;
-    };
-    const FinitePressureCoefficients expected = coefficients(area - 1., g, at);
-    const double                     start    = neo_hooke_thickness(
-      expected.distortion * law->mu(constants), bulk(expected), area);
-    if (law->is_neo_hooke() && form->is_linear())
-      return start;
-    return thickness_stretch(
-      [&](const double stretch) {
-        const Deformation   here(gradient_in_space(gradient, stretch));
-        const VolumeMeasure theta = form->measure(here.volume_change);
-        const auto          now   = coefficients(theta.value, g, at);
-        const auto          shape = law->out_of_plane(here, constants);
-        const double        K     = bulk(now);
-        return OutOfPlaneDerivatives{
-          now.distortion * shape.first + K * theta.value * theta.first * area,
-          now.distortion * shape.second +
-            K * (theta.first * theta.first + theta.value * theta.second) *
-              area * area};
-      },
-      start);
-  }
-
-
-
-  template <int dim>
-  std::optional<Deformation>
-  FiniteStrain<dim>::at_pressure(const Gradient       &gradient,
-                                 const double          pressure,
-                                 const double          g,
-                                 const PointConstants &at) const
-  {
-    if (!(determinant(gradient) > 0.))
-      return {};
-    const double stretch =
-      plane_stress ? stretch_at_pressure(gradient, pressure, g, at) : 1.;
-    if (!(stretch > 0.))
-      return {};
-    return Deformation(gradient_in_space(gradient, stretch));
-  }
-
-
-
-  template <int dim>
-  std::optional<Deformation>
-  FiniteStrain<dim>::at_constraint(const Gradient       &gradient,
-                                   const double          g,
-                                   const PointConstants &at) const
-  {
-    if (!(determinant(gradient) > 0.))
-      return {};
-    const double stretch =
-      plane_stress ? stretch_at_constraint(gradient, g, at) : 1.;
-    if (!(stretch > 0.))
-      return {};
-    return Deformation(gradient_in_space(gradient, stretch));
   }
 
 
