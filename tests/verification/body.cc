@@ -53,15 +53,15 @@ namespace MixedCracks
     {
       template <int dim>
       typename BodyIn<dim>::MeshMaker
-      moved(const Parameters<dim>                &parameters,
-            const typename BodyIn<dim>::Position &shape)
+      moved(const typename BodyIn<dim>::Position &shape)
       {
         if (!shape)
           return {};
-        return [&parameters, shape](Triangulation<dim> &coarse) {
-          parameters.geometry.chosen().create(coarse);
-          GridTools::transform(shape, coarse);
-        };
+        return
+          [shape](const Geometry<dim> &geometry, Triangulation<dim> &coarse) {
+            geometry.create(coarse);
+            GridTools::transform(shape, coarse);
+          };
       }
     } // namespace
 
@@ -69,24 +69,8 @@ namespace MixedCracks
 
     template <int dim>
     BodyIn<dim>::BodyIn(const std::string &prm, const Position &shape)
-      : parameters(prm)
-      , triangulation(MPI_COMM_WORLD)
-      , fields(triangulation,
-               {parameters.model.mixed(), parameters.model.degree()})
-      , constraints(
-          fields,
-          prescribed_components(parameters,
-                                dim + (parameters.model.mixed() ? 1 : 0)),
-          prescribed_points(parameters,
-                            dim + (parameters.model.mixed() ? 1 : 0)))
-      , timer(MPI_COMM_WORLD,
-              std::cout,
-              TimerOutput::never,
-              TimerOutput::wall_times)
-    {
-      make_mesh_of(moved(parameters, shape));
-      set_up();
-    }
+      : BodyIn(prm, moved<dim>(shape))
+    {}
 
 
 
@@ -108,15 +92,6 @@ namespace MixedCracks
               TimerOutput::wall_times)
     {
       make_mesh_of(coarse_mesh);
-      set_up();
-    }
-
-
-
-    template <int dim>
-    void
-    BodyIn<dim>::set_up()
-    {
       cell_size =
         GridTools::minimal_cell_diameter(triangulation) / std::sqrt(1. * dim);
       material = std::make_unique<Material<dim>>(describe_material(
@@ -156,7 +131,7 @@ namespace MixedCracks
         return;
       }
       Triangulation<dim> coarse;
-      coarse_mesh(coarse);
+      coarse_mesh(parameters.geometry.chosen(), coarse);
       triangulation.copy_triangulation(coarse);
       triangulation.refine_global(parameters.mesh.global_refinements);
     }

@@ -24,7 +24,8 @@ namespace MixedCracks
       using Position =
         std::function<dealii::Point<dim>(const dealii::Point<dim> &)>;
       using Scalar    = std::function<double(const dealii::Point<dim> &)>;
-      using MeshMaker = std::function<void(dealii::Triangulation<dim> &)>;
+      using MeshMaker = std::function<void(const Geometry<dim> &,
+                                           dealii::Triangulation<dim> &)>;
 
       /// @p prm: entries as 'Subsection/Entry = value', one per line.
       /// @p shape: where the points of the coarse mesh are moved to.
@@ -82,8 +83,6 @@ namespace MixedCracks
       };
 
       void make_mesh_of(const MeshMaker &coarse_mesh);
-
-      void set_up();
 
       /// Time, prescribed displacements, and where Newton's method starts.
       void start(double time);

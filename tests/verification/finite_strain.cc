@@ -272,7 +272,8 @@ TEST(FiniteStrain, ThickWalledSphere)
 {
   // an eighth; the ids of inside, outside, x = 0, y = 0 and z = 0 are those
   // that left, right, bottom, top and back have in a box
-  const BodyIn<3>::MeshMaker eighth = [](dealii::Triangulation<3> &mesh) {
+  const BodyIn<3>::MeshMaker eighth = [](const Geometry<3> &,
+                                         dealii::Triangulation<3> &mesh) {
     dealii::GridGenerator::quarter_hyper_shell(
       mesh, dealii::Point<3>(), 1., 2., 0, /*colorize=*/true);
   };
