@@ -8,6 +8,7 @@
 
 #include <cmath>
 #include <functional>
+#include <limits>
 #include <string>
 
 namespace MixedCracks
@@ -53,6 +54,8 @@ namespace MixedCracks
     unsigned int max_iterations     = 25;
     /// after so many iterations any reduction is enough; 0: off
     unsigned int enough_iterations = 0;
+    /// ... if what is left is no larger than this
+    double enough_residual = std::numeric_limits<double>::infinity();
     unsigned int max_bisections    = 6; ///< of the line search
     /// the same where it descends on a potential or is kept off a barrier
     unsigned int max_guarded_bisections = 20;

@@ -109,6 +109,14 @@ namespace MixedCracks
                                        State                 &trial,
                                        StepOutcome           &outcome);
 
+    /// Whether Newton's method, where it fails, is to be given a nearer phase
+    /// field.
+    bool can_retreat() const;
+
+    void retreat(State &trial);
+
+    void keep_equilibrium(const State &trial);
+
     /// @p factor: length of the step to this iteration over a plain one.
     void look_for_rest(const State &trial, double factor, StepOutcome &outcome);
 
@@ -133,6 +141,8 @@ namespace MixedCracks
 
     FixedPointAcceleration acceleration;
     RestWatch              stored_energy;
+    State        equilibrium;    // the last one of this step: (u, p) and phi~
+    unsigned int n_retreats = 0; // since then
   };
 } // namespace MixedCracks
 

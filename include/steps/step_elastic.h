@@ -68,6 +68,17 @@ namespace MixedCracks
     NewtonOutcome
     predict(const State &accepted, State &trial, const NewtonOptions &options);
 
+    bool
+    is_finite() const
+    {
+      return assembler.is_finite();
+    }
+
+    /// Let the pressure of the trial follow its lagged phase field, which was
+    /// @p before when (u, p) were found: at finite strain the law is far from
+    /// linear in a pressure that intact material would carry. Collective.
+    void carry_pressure(const LinearAlgebra::Vector &before, State &trial);
+
     /// Whether no cell is turned inside out: det F > 0 at all quadrature
     /// points. Always so at small strain. Collective.
     bool is_admissible(const State &state) const;

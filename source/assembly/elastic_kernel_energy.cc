@@ -15,6 +15,15 @@ namespace MixedCracks
 {
   using namespace dealii;
 
+  namespace
+  {
+    // Of strains, at finite strain: stresses are known to some 1e-16 of the
+    // moduli, which is to be within a Newton tolerance of 1e-8.
+    constexpr double strain_floor = 1e-7;
+  } // namespace
+
+
+
   // sum_q w_q 1/2 sigma : eps with the p that the state has.
   template <int dim>
   double
@@ -62,7 +71,9 @@ namespace MixedCracks
   // sigma grad N, and grad N is of the order of 1/h:  s_u = (integral of
   // |sigma|)/h, and the constraint is of the order of  s_p = integral of |eps|,
   // h = V^(1/dim). Newton's method compares |R_u| with the root of the sum of
-  // s_u^2, |R_p| with that of s_p^2.
+  // s_u^2, |R_p| with that of s_p^2. At finite strain the stress itself is what
+  // is left of terms that cancel, 0 at F = I but for rounding: there |sigma|
+  // and |eps| are no less than what strains of strain_floor make.
   template <int dim>
   std::pair<double, double>
   ElasticKernel<dim>::squared_scale() const
@@ -71,10 +82,18 @@ namespace MixedCracks
     double                    stress = 0., strain = 0.;
     for (unsigned int q = 0; q < states.size(); ++q)
     {
-      const Tensor<2, dim> &here = responses[q].stress;
-      stress += (material.is_finite() ? here.norm() : symmetrize(here).norm()) *
-                geometry->weights[q];
-      strain += size_of_strain(states[q].gradient) * geometry->weights[q];
+      const double          weight = geometry->weights[q];
+      const Tensor<2, dim> &here   = responses[q].stress;
+      strain += size_of_strain(states[q].gradient) * weight;
+      stress +=
+        (material.is_finite() ? here.norm() : symmetrize(here).norm()) * weight;
+      if (material.is_finite())
+      {
+        strain += strain_floor * weight;
+        stress += strain_floor * states[q].degradation *
+                  (2. * constants[q].mu + (mixed ? 0. : constants[q].lambda)) *
+                  weight;
+      }
     }
     // a stress times the gradient of a shape function, of the order of 1/h
     const double h = std::pow(geometry->volume(), 1. / dim);

@@ -32,6 +32,7 @@
 namespace MixedCracks
 {
   using namespace dealii;
+  using Vector = LinearAlgebra::Vector;
 
   namespace
   {
@@ -189,6 +190,17 @@ namespace MixedCracks
     state = elastic;
     return fields.layout.mixed ? eliminate_pressure(lagged_phase_field)
                                : present_value(lagged_phase_field);
+  }
+
+
+
+  template <int dim>
+  const Vector &
+  ElasticPotential<dim>::eliminated(const Vector &elastic,
+                                    const Vector &lagged_phase_field)
+  {
+    value(elastic, lagged_phase_field);
+    return state;
   }
 
 

@@ -33,6 +33,10 @@ namespace MixedCracks
     constexpr double armijo   = 1e-4;
     constexpr double rounding = 1e-12; // of the potential
 
+    // What a fall of the potential excuses where the solution is no minimum of
+    // it: a residual that grows by more is that of another place.
+    constexpr double largest_growth = 10.;
+
     class GuardedSearch
     {
     public:
@@ -116,7 +120,11 @@ namespace MixedCracks
           outcome.factor > 0. &&
           (!problem.is_minimum ||
            now <= start + rounding * std::max(std::abs(start), std::abs(now)));
-        return is_lower || (may_count_residual && residual_falls());
+        const bool is_near =
+          problem.is_minimum || outcome.size.relative_to(before).largest() <=
+                                  largest_growth * before.largest();
+        return (is_lower && is_near) ||
+               (may_count_residual && residual_falls());
       }
 
 

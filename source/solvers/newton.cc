@@ -194,7 +194,8 @@ namespace MixedCracks
     {
       if (options.enough_iterations > 0 &&
           outcome.iterations >= options.enough_iterations &&
-          outcome.last.largest() < outcome.first.largest())
+          outcome.last.largest() < outcome.first.largest() &&
+          outcome.last.largest() <= options.enough_residual)
         break;
       if (is_to_stop(problem))
       {

@@ -41,6 +41,10 @@ namespace MixedCracks
     // iterations are enough for one round.
     constexpr unsigned int inexact_iterations = 2;
 
+    // At finite strain a state that is farther from equilibrium says little of
+    // the one that it goes to.
+    constexpr double inexact_residual = 1e-2;
+
     // A node fell from (nearly) intact to (nearly) broken in one step.
     constexpr double running_crack_change = 0.9;
 
@@ -49,6 +53,11 @@ namespace MixedCracks
     // from the stored energy tells it from nodes that break beside a crack. In
     // a strip whose crack grows stably this leaves the force wrong by 1 %.
     constexpr double energy_at_rest = 5e-5;
+
+    // At finite strain: how often a step of the phase field is halved when
+    // Newton's method does not follow it, and what it may take to follow.
+    constexpr unsigned int most_retreats        = 6;
+    constexpr unsigned int iterations_to_follow = 10;
 
     // The force on a body that is apart changes by less than this from one
     // iteration to the next; of the force below which the run ends.
@@ -213,6 +222,11 @@ namespace MixedCracks
     {
       present.relative_tolerance = inexact_reduction;
       present.enough_iterations  = inexact_iterations;
+      if (elastic.is_finite())
+        present.enough_residual = inexact_residual;
+      if (can_retreat())
+        present.max_iterations =
+          std::min(present.max_iterations, iterations_to_follow);
     }
     return elastic.solve(trial, present);
   }
@@ -302,6 +316,52 @@ namespace MixedCracks
 
 
   template <int dim>
+  bool
+  StepSolver<dim>::can_retreat() const
+  {
+    return elastic.is_finite() && equilibrium.elastic.size() > 0 &&
+           n_retreats < most_retreats;
+  }
+
+
+
+  // phi~ <- 1/2 (phi~ + that of the last equilibrium), (u, p) from there: where
+  // cells lose their stiffness in one iteration of a running crack, the next
+  // equilibrium may be too far for Newton's method. The iterates stay ones of
+  // the fixed point: with a shorter step.
+  template <int dim>
+  void
+  StepSolver<dim>::retreat(State &trial)
+  {
+    ++n_retreats;
+    Vector halfway(trial.lagged_phase_field.locally_owned_elements(),
+                   communicator);
+    Vector last(halfway);
+    halfway = trial.lagged_phase_field;
+    last    = equilibrium.lagged_phase_field;
+    halfway.sadd(0.5, 0.5, last);
+    trial.lagged_phase_field = halfway;
+    trial.elastic            = equilibrium.elastic;
+    elastic.carry_pressure(equilibrium.lagged_phase_field, trial);
+    acceleration.restart();
+  }
+
+
+
+  template <int dim>
+  void
+  StepSolver<dim>::keep_equilibrium(const State &trial)
+  {
+    if (!elastic.is_finite())
+      return;
+    n_retreats                     = 0;
+    equilibrium.elastic            = trial.elastic;
+    equilibrium.lagged_phase_field = trial.lagged_phase_field;
+  }
+
+
+
+  template <int dim>
   StepOutcome
   StepSolver<dim>::left(StepOutcome outcome, const std::string &reason) const
   {
@@ -324,13 +384,19 @@ namespace MixedCracks
     StepOutcome outcome  = so_far;
     acceleration.restart();
     stored_energy.restart();
+    equilibrium = State();
+    n_retreats  = 0;
     // of the step from the last iteration to this one
     double              factor = 0.;
     const bool          is_new = !goes_on(outcome, trial);
     const NewtonOutcome predicted =
       is_new ? start(accepted, trial) : NewtonOutcome();
     if (!is_new)
+    {
+      const Vector before      = trial.lagged_phase_field;
       trial.lagged_phase_field = trial.phase_field;
+      elastic.carry_pressure(before, trial);
+    }
     outcome.mesh_is_too_coarse = false;
     outcome.newton_iterations += predicted.iterations;
     outcome.linear_iterations += predicted.linear_iterations;
@@ -343,7 +409,13 @@ namespace MixedCracks
       outcome.newton_iterations += newton.iterations;
       outcome.linear_iterations += newton.linear_iterations;
       if (!newton.converged)
-        return left(outcome, newton.reason);
+      {
+        if (!can_retreat() || callbacks.stop_requested())
+          return left(outcome, newton.reason);
+        retreat(trial);
+        continue;
+      }
+      keep_equilibrium(trial);
       const ActiveSetOutcome active_set =
         solve_phase_field(accepted, fixed, trial, outcome);
       log_iteration(outcome.coupling_iterations,
@@ -382,6 +454,7 @@ namespace MixedCracks
       if (is_settled(outcome))
         continue;
       advance_lagged_field(accepted, trial);
+      elastic.carry_pressure(equilibrium.lagged_phase_field, trial);
       factor = acceleration.factor();
       // with no stable state nearby the change would exceed any bound
       outcome.runs_away = std::isfinite(bound) && acceleration.runs_away();
