@@ -2,7 +2,8 @@
 // How a checkpoint is written. G is the older generation (or one that is not
 // whole), H the other one, which nobody touches. A crash or power failure after
 //
-//   1. G: remove seal.txt, then the rest      G has no seal: "not finished"
+//   1. G: remove seal.txt, then the rest, or  G has no seal: "not finished"
+//      make its folder, durably
 //   2. reserve room for the files of G        likewise
 //   3. mesh, mesh.info, mesh_fixed.data       likewise
 //   4. fsync on every rank                    likewise
@@ -177,12 +178,15 @@ namespace MixedCracks
         // the seal first: what is half removed is no damage
         for (const std::string &name : files_of_generation())
           fs::remove(path + '/' + name);
-        fs::create_directories(path);
-        message = missing_space_for(
-          {{path + mesh_name,
-            largest_mesh_size<dim>(values.cells, triangulation.n_cells(0))},
-           {path + mesh_name + "_fixed.data", size_of_values(values)},
-           {path + "/record.txt", margin}});
+        for (const std::string &folder : {directory, path})
+          if (message.empty())
+            message = make_folder_durably(folder);
+        if (message.empty())
+          message = missing_space_for(
+            {{path + mesh_name,
+              largest_mesh_size<dim>(values.cells, triangulation.n_cells(0))},
+             {path + mesh_name + "_fixed.data", size_of_values(values)},
+             {path + "/record.txt", margin}});
       }
       catch (const std::exception &error)
       {
