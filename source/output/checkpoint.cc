@@ -212,8 +212,9 @@ namespace MixedCracks
     make_room(path, fields, triangulation);
 
     ContentsOnDisk written;
-    written.mesh_checksum = mesh_checksum(triangulation);
-    written.fields        = CheckpointFields<dim>(fields).save(
+    written.mesh_checksum  = mesh_checksum(triangulation);
+    written.damage_origins = state.damage_origins;
+    written.fields         = CheckpointFields<dim>(fields).save(
       state, triangulation, path + mesh_name);
     // every rank sends its part to the disk
     std::string message;
@@ -270,7 +271,9 @@ namespace MixedCracks
       split_record(Utilities::MPI::broadcast(communicator, text, 0));
     contents = sealed.contents;
     std::istringstream run(sealed.run);
-    return read_record(run);
+    RunRecord          record = read_record(run);
+    record.nuclei             = contents.damage_origins.nuclei;
+    return record;
   }
 
 
@@ -318,6 +321,7 @@ namespace MixedCracks
       throw FileError("--resume: the checkpoint in '" + directory +
                       "' cannot be read: " + error.what() + ".");
     }
+    state.damage_origins = contents.damage_origins;
   }
 
 
