@@ -63,6 +63,7 @@ namespace MixedCracks
     std::vector<DamagedCell>
     damaged_cells(const LinearAlgebra::Vector &phase_field) const;
 
+    /// Of all ranks, on rank 0.
     std::vector<BoundaryEdge> boundary_edges() const;
 
     const Fields<dim>                                &fields;
@@ -70,6 +71,7 @@ namespace MixedCracks
     double                                            length_scale = 0.;
 
     std::vector<dealii::Point<dim>> positions; // of owned nodes
+    std::vector<BoundaryEdge>       edges;     // of the mesh, on rank 0
   };
 } // namespace MixedCracks
 

@@ -10,7 +10,8 @@
 namespace MixedCracks
 {
   /// How a body has broken, in names of its boundaries. A side is every
-  /// boundary that is neither a hole nor a notch, see role_of_boundary().
+  /// boundary on the outline of the body that is neither a hole nor a notch,
+  /// see role_of_boundary(), with the notches and slits that open there.
   struct Outcome
   {
     enum class Kind
@@ -18,7 +19,7 @@ namespace MixedCracks
       not_traced, ///< in 3-d, where cracks have no paths
       none,       ///< there is no crack
       arrested,   ///< there are cracks, but they join no two sides
-      separated   ///< cracks join two different sides, or a notch and a side
+      separated   ///< cracks join two different sides
     };
     /// Where the cracks that separate the body run, as seen from a hole.
     enum class Way
@@ -56,9 +57,10 @@ namespace MixedCracks
   /// Whether the cracks of that outcome have cut the body in two.
   bool separates(const Outcome &outcome);
 
-  /// @p edges: all of the boundary. @p nuclei: where damage was seen first, in
-  /// that order, mm; the crack nearest to the first of them is the first one,
-  /// without any it is the longest. @p length_scale: l, mm.
+  /// @p edges: all of the boundary, joined at their ends. @p nuclei: where
+  /// damage was seen first, in that order, mm; the crack nearest to the first
+  /// of them is the first one, without any it is the longest. @p length_scale:
+  /// l, mm.
   Outcome classify(const std::vector<Crack>            &cracks,
                    const std::vector<BoundaryEdge>     &edges,
                    const std::vector<dealii::Point<2>> &nuclei,

@@ -34,7 +34,7 @@ namespace MixedCracks
   {
     side,  ///< of the body: two of them joined by a crack are apart
     hole,  ///< inside of the body: cracks may pass by way of it
-    notch, ///< or slit: cracks start at its tip
+    notch, ///< or slit: cracks start at its tip; part of the side it opens at
   };
 
   /// By its name, which geometries and files of meshes give: "hole"; "notch",

@@ -47,7 +47,7 @@ namespace MixedCracks
     std::vector<std::string> changed_loads;
     RunTotals                totals; ///< so far
 
-    /// where damage was seen first, mm
+    /// where damage was seen first, mm: of the state that was written with it
     std::vector<dealii::Point<2>>               nuclei;
     std::vector<StatisticsRow>                  rows;
     std::vector<std::pair<double, std::string>> field_files;
@@ -92,8 +92,8 @@ namespace MixedCracks
     /// Refine the coarse mesh as it was, after read(). Throws FileError.
     void load_mesh(Triangulation &triangulation) const;
 
-    /// The fields, after load_mesh() and the distribution of dofs; times are
-    /// left alone. Throws FileError.
+    /// The fields and what was seen of damage, after load_mesh() and the
+    /// distribution of dofs; times are left alone. Throws FileError.
     void load_fields(const Fields<dim> &fields,
                      Triangulation     &triangulation,
                      State             &state) const;

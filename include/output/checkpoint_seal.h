@@ -2,6 +2,8 @@
 #ifndef mixed_cracks_output_checkpoint_seal_h
 #define mixed_cracks_output_checkpoint_seal_h
 
+#include <discretization/damage_origins.h>
+
 #include <output/checkpoint_fields.h>
 
 #include <cstdint>
@@ -24,12 +26,13 @@ namespace MixedCracks
     std::uint64_t checksum = 0;
   };
 
-  /// What record.txt says of the mesh and of the fields.
+  /// What record.txt says of the mesh and of the state.
   struct ContentsOnDisk
   {
     FieldsOnDisk            fields;
     unsigned int            mesh_checksum = 0; ///< p4est's
     std::vector<FileOnDisk> files;             ///< of the libraries
+    DamageOrigins           damage_origins;
   };
 
   /// seal.txt, which is written last.

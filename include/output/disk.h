@@ -29,6 +29,11 @@ namespace MixedCracks
   /// another name, down to the disk, and renamed. Returns what went wrong.
   std::string write_durably(const std::string &path, const std::string &text);
 
+  /// Make a folder, with those above it, that is there whatever happens: all
+  /// names, its own included, are down to the disk, also that of a folder that
+  /// was there. Returns what went wrong.
+  std::string make_folder_durably(const std::string &path);
+
   /// Wait until what was written to a file is on the disk, and drop it from
   /// memory, so that it is read from the disk next. Returns what went wrong.
   std::string sync_to_disk(const std::string &path);

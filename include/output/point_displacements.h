@@ -13,9 +13,9 @@
 
 namespace MixedCracks
 {
-  /// The displacement at points anywhere in the body. Where a point belongs to
-  /// several cells, it is their mean: this changes something only at slits,
-  /// and the result does not depend on the number of ranks.
+  /// The displacement at points anywhere in the body. On a slit it is the mean
+  /// of the faces, whatever the cells there. The result does not depend on the
+  /// number of ranks.
   template <int dim>
   class PointDisplacements
   {
@@ -43,14 +43,18 @@ namespace MixedCracks
       Cell               cell;
       std::size_t        point;     ///< its number
       dealii::Point<dim> unit_cell; ///< its position there
+      double             n_cells;   ///< around the point, with this one, that
+                                    ///< no slit parts from it
     };
 
-    void find_in(const Cell &cell);
+    void        find_in(const Cell &cell);
+    static bool touches(const Sample &sample, const Sample &other);
+    void        count_cells_of_fans();
 
     const Fields<dim>                 &fields;
     const std::vector<NamedPoint<dim>> points;
     std::vector<Sample>                samples; // in owned cells
-    std::vector<double>                n_cells; // around each point
+    std::vector<double>                n_fans;  // around each point
   };
 } // namespace MixedCracks
 

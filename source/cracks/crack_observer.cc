@@ -6,9 +6,10 @@
 //
 // Whether nodes have broken is asked in every iteration of a step: one
 // reduction when there are none, and an exchange of points only when there are.
-// Points are sorted by x, y before they are used, since clusters that are built
-// up one by one depend on the order (damage_origins.cc), and the order of
-// gathered points on the number of ranks.
+// What is gathered comes in an order that depends on the number of ranks, and
+// what is built up one by one depends on the order (damage_origins.cc, the
+// first of equals in tracing). Points are sorted by x, y, cells and edges by
+// all of their numbers: unstructured cells may share their first vertex.
 
 #include <cracks/crack_observer.h>
 #include <cracks/damage_origins.h>
@@ -33,20 +34,24 @@ namespace MixedCracks
     // damage belongs to earlier damage within this, in length scales
     constexpr double reach = 3.;
 
-    template <typename T>
-    std::vector<T>
-    gathered_on_root(const std::vector<T> &own, const MPI_Comm communicator)
-    {
-      std::vector<T> all;
-      for (const auto &part : Utilities::MPI::gather(communicator, own))
-        all.insert(all.end(), part.begin(), part.end());
-      return all;
-    }
-
-
-
     // numbers as they can be sent: four vertices and their values
     using CellNumbers = std::array<double, 12>;
+    // two vertices and the number of the boundary
+    using EdgeNumbers = std::array<double, 5>;
+
+    // In an order that does not depend on the number of ranks, as long as no
+    // two are equal.
+    template <typename Numbers>
+    std::vector<Numbers>
+    gathered_on_root(const std::vector<Numbers> &own,
+                     const MPI_Comm              communicator)
+    {
+      std::vector<Numbers> all;
+      for (const auto &part : Utilities::MPI::gather(communicator, own))
+        all.insert(all.end(), part.begin(), part.end());
+      std::sort(all.begin(), all.end());
+      return all;
+    }
   } // namespace
 
 
@@ -78,6 +83,7 @@ namespace MixedCracks
           if (owned.is_element(dof))
             positions[owned.index_within_set(dof)] = cell->vertex(v);
         }
+    edges = boundary_edges();
   }
 
 
@@ -176,13 +182,6 @@ namespace MixedCracks
       }
       cells.push_back(cell);
     }
-    // in an order that does not depend on the number of ranks
-    std::sort(cells.begin(),
-              cells.end(),
-              [](const DamagedCell &a, const DamagedCell &b) {
-                const Point<2> &p = a.vertices[0], &q = b.vertices[0];
-                return p[0] != q[0] ? p[0] < q[0] : p[1] < q[1];
-              });
     return cells;
   }
 
@@ -192,7 +191,7 @@ namespace MixedCracks
   std::vector<BoundaryEdge>
   CrackObserver<dim>::boundary_edges() const
   {
-    std::vector<std::array<double, 5>> own;
+    std::vector<EdgeNumbers> own;
     if constexpr (dim == 2)
       for (const auto &cell : fields.phase_field.active_cell_iterators())
         if (cell->is_locally_owned())
@@ -207,15 +206,15 @@ namespace MixedCracks
                               end[1],
                               1. * cell->face(f)->boundary_id()}});
             }
-    std::vector<BoundaryEdge> edges;
+    std::vector<BoundaryEdge> result;
     for (const auto &numbers : gathered_on_root(own, fields.communicator()))
     {
       const auto name = names.find(static_cast<types::boundary_id>(numbers[4]));
-      edges.push_back({{numbers[0], numbers[1]},
-                       {numbers[2], numbers[3]},
-                       name == names.end() ? "boundary" : name->second});
+      result.push_back({{numbers[0], numbers[1]},
+                        {numbers[2], numbers[3]},
+                        name == names.end() ? "boundary" : name->second});
     }
-    return edges;
+    return result;
   }
 
 
@@ -229,9 +228,8 @@ namespace MixedCracks
       traced.outcome = not_traced();
     if (dim == 3 || !state.damage_origins.is_watched())
       return traced;
-    const MPI_Comm                  communicator = fields.communicator();
-    const std::vector<BoundaryEdge> edges        = boundary_edges();
-    const std::vector<DamagedCell>  cells = damaged_cells(state.phase_field);
+    const MPI_Comm                 communicator = fields.communicator();
+    const std::vector<DamagedCell> cells = damaged_cells(state.phase_field);
     if (Utilities::MPI::this_mpi_process(communicator) == 0)
     {
       CrackPathOptions options;

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// What the cracks have done to the body. Cracks are joined to groups: a branch
-// with the crack it leaves; with 'by hole' also all that end on the hole. A
-// group connects when its ends on the boundary, those on the hole left out,
-// have two different names, of which one is a side. The first answer that
+// What the cracks have done to the body. Cracks are joined to groups, which
+// connect sides of the body or not (crack_groups.cc). The first answer that
 // holds:
 //
 //   no cracks                             none
@@ -13,16 +11,14 @@
 //   otherwise                             arrested
 //
 // Without the hole first: a crack that passes a hole has cut the body even
-// where others have reached the hole. Two ends on one side do not separate: a
-// piece that spalls off there leaves the rest whole.
+// where others have reached the hole.
 
+#include <cracks/crack_groups.h>
 #include <cracks/crack_outcome.h>
 #include <cracks/crack_path_parts.h>
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
-#include <set>
 
 namespace MixedCracks
 {
@@ -30,8 +26,6 @@ namespace MixedCracks
 
   namespace
   {
-    using Group = std::vector<unsigned int>; // numbers of cracks
-
     // The words that stand in files. Behind those of a way comes the name of
     // the hole.
     struct Word
@@ -63,61 +57,6 @@ namespace MixedCracks
     is_hole(const std::string &name)
     {
       return role_of_boundary(name) == BoundaryRole::hole;
-    }
-
-
-
-    // Connected components by relabelling: cracks are few. A branch belongs to
-    // every crack within l of its first point: it was joined to the core of its
-    // parent, before that was prolonged and resampled.
-    std::vector<Group>
-    groups_of(const std::vector<Crack> &cracks,
-              const double              length_scale,
-              const bool                by_hole)
-    {
-      std::vector<unsigned int> label(cracks.size());
-      std::iota(label.begin(), label.end(), 0u);
-      const auto merge = [&label](const unsigned int a, const unsigned int b) {
-        const unsigned int from = label[a], to = label[b];
-        std::replace(label.begin(), label.end(), from, to);
-      };
-      const auto is_at_hole = [](const Crack &crack) {
-        return is_hole(crack.start.name) || is_hole(crack.end.name);
-      };
-      for (unsigned int a = 0; a < cracks.size(); ++a)
-        for (unsigned int b = 0; b < cracks.size(); ++b)
-          if (a != b &&
-              ((by_hole && is_at_hole(cracks[a]) && is_at_hole(cracks[b])) ||
-               (cracks[a].start.kind == CrackEnd::Kind::crack &&
-                distance_to(cracks[b].points, cracks[a].points.front()) <
-                  length_scale)))
-            merge(a, b);
-      std::vector<Group> groups(cracks.size());
-      for (unsigned int a = 0; a < cracks.size(); ++a)
-        groups[label[a]].push_back(a);
-      groups.erase(std::remove_if(groups.begin(),
-                                  groups.end(),
-                                  [](const Group &g) { return g.empty(); }),
-                   groups.end());
-      return groups;
-    }
-
-
-
-    // two sides, or the notch and a side
-    bool
-    connects(const std::vector<Crack> &cracks, const Group &group)
-    {
-      std::set<std::string> names;
-      bool                  has_side = false;
-      for (const unsigned int c : group)
-        for (const CrackEnd *end : {&cracks[c].start, &cracks[c].end})
-          if (end->kind == CrackEnd::Kind::boundary && !is_hole(end->name))
-          {
-            names.insert(end->name);
-            has_side = has_side || is_side(end->name);
-          }
-      return has_side && names.size() >= 2;
     }
 
 
@@ -339,11 +278,13 @@ namespace MixedCracks
     Outcome outcome;
     if (cracks.empty())
       return outcome;
-    Group group;
+    const std::vector<PartsOfCrack> parts = parts_of(cracks, edges);
+    Group                           group;
     // a connection without the hole comes first
     for (const bool by_hole : {false, true})
-      for (const Group &candidate : groups_of(cracks, length_scale, by_hole))
-        if (group.empty() && connects(cracks, candidate))
+      for (const Group &candidate :
+           groups_of(cracks, parts, length_scale, by_hole))
+        if (group.empty() && connects(parts, candidate))
         {
           group           = candidate;
           outcome.kind    = Outcome::Kind::separated;

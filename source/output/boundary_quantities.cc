@@ -10,7 +10,10 @@
 // error of discretisation only, and converges more slowly.
 //
 // s = -1 where the largest component of the mean outward normal is negative,
-// for all components: a pulled left side has a positive F_x. Points: s = 1.
+// for all components: a pulled left side has a positive F_x. F is then the
+// force across a section, which the part at larger coordinates exerts on the
+// other; in balance, opposite sides have the same F, in shear as well. Points:
+// s = 1.
 //
 // Displacement: max over boundaries b of (integral over b of |u_b|) / |b| with
 // the prescribed u_b (components not prescribed 0), and over points of |u_b|.

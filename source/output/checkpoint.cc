@@ -2,7 +2,8 @@
 // How a checkpoint is written. G is the older generation (or one that is not
 // whole), H the other one, which nobody touches. A crash or power failure after
 //
-//   1. G: remove seal.txt, then the rest      G has no seal: "not finished"
+//   1. G: remove seal.txt, then the rest, or  G has no seal: "not finished"
+//      make its folder, durably
 //   2. reserve room for the files of G        likewise
 //   3. mesh, mesh.info, mesh_fixed.data       likewise
 //   4. fsync on every rank                    likewise
@@ -177,12 +178,15 @@ namespace MixedCracks
         // the seal first: what is half removed is no damage
         for (const std::string &name : files_of_generation())
           fs::remove(path + '/' + name);
-        fs::create_directories(path);
-        message = missing_space_for(
-          {{path + mesh_name,
-            largest_mesh_size<dim>(values.cells, triangulation.n_cells(0))},
-           {path + mesh_name + "_fixed.data", size_of_values(values)},
-           {path + "/record.txt", margin}});
+        for (const std::string &folder : {directory, path})
+          if (message.empty())
+            message = make_folder_durably(folder);
+        if (message.empty())
+          message = missing_space_for(
+            {{path + mesh_name,
+              largest_mesh_size<dim>(values.cells, triangulation.n_cells(0))},
+             {path + mesh_name + "_fixed.data", size_of_values(values)},
+             {path + "/record.txt", margin}});
       }
       catch (const std::exception &error)
       {
@@ -208,8 +212,9 @@ namespace MixedCracks
     make_room(path, fields, triangulation);
 
     ContentsOnDisk written;
-    written.mesh_checksum = mesh_checksum(triangulation);
-    written.fields        = CheckpointFields<dim>(fields).save(
+    written.mesh_checksum  = mesh_checksum(triangulation);
+    written.damage_origins = state.damage_origins;
+    written.fields         = CheckpointFields<dim>(fields).save(
       state, triangulation, path + mesh_name);
     // every rank sends its part to the disk
     std::string message;
@@ -266,7 +271,9 @@ namespace MixedCracks
       split_record(Utilities::MPI::broadcast(communicator, text, 0));
     contents = sealed.contents;
     std::istringstream run(sealed.run);
-    return read_record(run);
+    RunRecord          record = read_record(run);
+    record.nuclei             = contents.damage_origins.nuclei;
+    return record;
   }
 
 
@@ -314,6 +321,7 @@ namespace MixedCracks
       throw FileError("--resume: the checkpoint in '" + directory +
                       "' cannot be read: " + error.what() + ".");
     }
+    state.damage_origins = contents.damage_origins;
   }
 
 

@@ -5,7 +5,7 @@
 //   seal.txt    title with the number of the format; number, step;
 //      |        size and checksum of record.txt
 //   record.txt  title; size and checksum of each file below, sum of the values;
-//      |        then the RunRecord
+//      |        what was seen of damage; then the RunRecord
 //   mesh, mesh.info, mesh_fixed.data
 //
 // so that one chain of comparisons from the top finds any byte that has changed
@@ -13,7 +13,7 @@
 // are written from the bottom up: a seal means that everything it vouches for
 // was read back before.
 //
-// Format = 3 + 1000 (n - 24), n the number of quantities that rows have: with a
+// Format = 4 + 1000 (n - 24), n the number of quantities that rows have: with a
 // new quantity old checkpoints have rows without it, and are refused by number
 // rather than by a failure to parse.
 
@@ -32,7 +32,7 @@ namespace MixedCracks
   namespace
   {
     // that of all files but the rows, which had so many quantities then
-    constexpr unsigned int format_of_files = 3;
+    constexpr unsigned int format_of_files = 4;
     constexpr unsigned int n_quantities    = 24;
 
     const std::string seal_name   = "/seal.txt";
@@ -135,12 +135,20 @@ namespace MixedCracks
     return std::tie(cells, bytes_per_cell, sum);
   }
 
+  template <typename Origins, IfIs<Origins, DamageOrigins> = 0>
+  static auto
+  members(Origins &origins)
+  {
+    auto &[reach, known, initial, nuclei, initial_has_grown] = origins;
+    return std::tie(reach, known, initial, nuclei, initial_has_grown);
+  }
+
   template <typename Contents, IfIs<Contents, ContentsOnDisk> = 0>
   static auto
   members(Contents &contents)
   {
-    auto &[fields, mesh_checksum, files] = contents;
-    return std::tie(fields, mesh_checksum, files);
+    auto &[fields, mesh_checksum, files, damage_origins] = contents;
+    return std::tie(fields, mesh_checksum, files, damage_origins);
   }
 
 

@@ -5,6 +5,7 @@
 #include <deal.II/base/mpi.h>
 
 #include <output/crack_opening_file.h>
+#include <output/disk.h>
 
 #include <fstream>
 #include <iomanip>
@@ -19,6 +20,16 @@ namespace MixedCracks
     {
       return std::string("step,time_s,line,position_mm,x_mm,y_mm,") +
              (dim == 3 ? "z_mm," : "") + "opening_mm\n";
+    }
+
+
+
+    bool
+    appended(const std::string &name, const std::string &content)
+    {
+      std::ofstream file(name, std::ios::app);
+      file << content << std::flush;
+      return static_cast<bool>(file);
     }
   } // namespace
 
@@ -46,9 +57,9 @@ namespace MixedCracks
     std::string message;
     if (dealii::Utilities::MPI::this_mpi_process(communicator) == 0)
     {
-      std::ofstream file(name, append ? std::ios::app : std::ios::trunc);
-      file << content << std::flush;
-      if (!file)
+      // the old table stays until the new one is whole
+      if (!(append ? appended(name, content)
+                   : write_durably(name, content).empty()))
         message = "Output/Directory: '" + name +
                   "' cannot be written; is the disk full?";
     }

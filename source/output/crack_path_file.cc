@@ -11,7 +11,8 @@
 //
 // Written in the order rows, .vtp, list. All of it follows from the rows, which
 // are in the checkpoint; a .vtp is written again only where it is missing or
-// does not end as it should.
+// does not end as it should. Rows are appended; where table and list are
+// written anew, the old ones stay until the new ones are whole.
 
 #include <base/finite_text.h>
 
@@ -19,6 +20,7 @@
 
 #include <output/crack_path_file.h>
 #include <output/crack_path_vtp.h>
+#include <output/disk.h>
 #include <output/run_files.h>
 
 #include <algorithm>
@@ -104,6 +106,25 @@ namespace MixedCracks
 
 
 
+  // the old file stays until the new one is whole
+  std::string
+  CrackPathFile::replace(const std::string &name,
+                         const std::string &content) const
+  {
+    return write_durably(name, content).empty() ? "" : failure(name);
+  }
+
+
+
+  std::string
+  CrackPathFile::write_table_and_list() const
+  {
+    const std::string message = replace(csv_name, all_rows);
+    return message.empty() ? write_pvd() : message;
+  }
+
+
+
   std::string
   CrackPathFile::open()
   {
@@ -111,9 +132,7 @@ namespace MixedCracks
     last.clear();
     steps.clear();
     all_rows = header;
-    if (!write_file(csv_name, all_rows))
-      return failure(csv_name);
-    return write_pvd();
+    return write_table_and_list();
   }
 
 
@@ -164,9 +183,7 @@ namespace MixedCracks
       message = restore_vtp();
     if (!message.empty())
       return message;
-    if (!write_file(csv_name, all_rows))
-      return failure(csv_name);
-    return write_pvd();
+    return write_table_and_list();
   }
 
 
@@ -286,6 +303,6 @@ namespace MixedCracks
                  "\" group=\"\" part=\"0\" file=\"" +
                  crack_path_vtp_name(step) + "\"/>\n";
     content += "</Collection>\n</VTKFile>\n";
-    return write_file(pvd_name, content) ? "" : failure(pvd_name);
+    return replace(pvd_name, content);
   }
 } // namespace MixedCracks

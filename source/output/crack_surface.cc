@@ -13,9 +13,11 @@
 #include <deal.II/grid/grid_tools.h>
 
 #include <output/crack_surface.h>
+#include <output/disk.h>
 #include <output/run_files.h>
 
 #include <fstream>
+#include <sstream>
 
 namespace MixedCracks
 {
@@ -91,9 +93,12 @@ namespace MixedCracks
         const bool    noted = note_run_files(directory, {file_name});
         std::ofstream file(directory + "/" + file_name);
         write_triangles(file, triangles);
-        std::ofstream list(directory + "/crack_surface.pvd");
+        std::ostringstream list;
         DataOutBase::write_pvd_record(list, times_and_names);
-        written = noted && file.flush() && list.flush();
+        // the old list stays until the new one is whole
+        written =
+          noted && file.flush() &&
+          write_durably(directory + "/crack_surface.pvd", list.str()).empty();
       }
       catch (const std::exception &) // deal.II's, of a list without a file
       {

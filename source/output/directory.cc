@@ -150,13 +150,23 @@ namespace MixedCracks
       return !found;
     }
 
+    // what lies in it is to be found again, whatever happens
+    void
+    make_folder(const std::string &path)
+    {
+      const std::string problem = make_folder_durably(path);
+      if (!problem.empty())
+        throw FileError(
+          "Output/Directory: a folder cannot be made: " + problem + ".");
+    }
+
     void
     prepare(const std::string              &directory,
             const ExistingRun               existing,
             const std::vector<std::string> &names,
             const std::vector<SizedFile>   &first_files)
     {
-      fs::create_directories(directory);
+      make_folder(directory);
       require_writable(directory);
       require_room(directory, names, first_files);
       if (existing == ExistingRun::overwrite)
@@ -165,7 +175,7 @@ namespace MixedCracks
         throw FileError("Output/Directory: files cannot be written in '" +
                         directory + "'; is the disk full?");
       if (std::find(names.begin(), names.end(), "fields/") != names.end())
-        fs::create_directories(fs::path(directory) / "fields");
+        make_folder((fs::path(directory) / "fields").string());
     }
 
     // on rank 0, with what goes wrong there thrown on all

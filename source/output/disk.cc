@@ -158,6 +158,31 @@ namespace MixedCracks
 
 
 
+  // A folder is found again by its name in the one above it, which is synced
+  // for each that is new. That of the last one always: it may have been made
+  // just before the machine stopped.
+  std::string
+  make_folder_durably(const std::string &path)
+  {
+    namespace fs = std::filesystem;
+    std::error_code       error;
+    std::vector<fs::path> parents;
+    for (fs::path folder = fs::absolute(path, error);
+         parents.empty() || !fs::exists(folder, error);
+         folder = folder.parent_path())
+      parents.push_back(folder.parent_path());
+    fs::create_directories(path, error);
+    if (error)
+      return message(path, error.value());
+    for (const fs::path &parent : parents)
+      if (const std::string problem = sync_directory(parent.string());
+          !problem.empty())
+        return problem;
+    return "";
+  }
+
+
+
   std::string
   sync_to_disk(const std::string &path)
   {
@@ -175,8 +200,9 @@ namespace MixedCracks
   {
     const Descriptor directory(path.empty() ? "." : path,
                                O_RDONLY | O_DIRECTORY);
+    // names may be made where they may not be read
     if (directory.number < 0)
-      return message(path, errno);
+      return errno == EACCES ? "" : message(path, errno);
     // some file systems have nothing to do there, and say so
     if (fsync(directory.number) != 0 && errno != EINVAL)
       return message(path, errno);

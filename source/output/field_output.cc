@@ -55,11 +55,13 @@ namespace MixedCracks
       return name.find(".pvtu") != std::string::npos;
     }
 
-    // "fields/fields_00012.pvtu": the step is in the name
+    // "fields/fields_00012.pvtu": the step is in the name, with five digits or
+    // more
     std::string
     digits_of_step(const std::string &name)
     {
-      return name.substr(name.rfind('_') + 1, 5);
+      const auto begin = name.rfind('_') + 1;
+      return name.substr(begin, name.find('.', begin) - begin);
     }
 
     // "fields_00012.02.vtu" of "fields_00012.pvtu", rank 2 and 12 ranks

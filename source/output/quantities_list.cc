@@ -70,8 +70,12 @@ namespace MixedCracks
       Quantity("force_x",
                "N",
                "reaction on `Load stepping/Force boundary`, positive in "
-               "tension, of the whole body: in 2-d with thickness. Where "
-               "displacement is prescribed at points only (and `Force "
+               "tension, of the whole body: in 2-d with thickness. On a "
+               "boundary whose outward normal points against its axis "
+               "(left, bottom) all components have the opposite sign of "
+               "what acts on the body there, so that opposite boundaries "
+               "in balance show the same force. Where displacement is "
+               "prescribed at points only (and `Force "
                "boundary` is empty): the sum of the reactions at the "
                "points that move, or at all points where none does, as "
                "they act on the body, in the directions of the axes: a "

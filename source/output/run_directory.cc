@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include <base/collective.h>
 
-#include <output/run_directory.h>
+#include <deal.II/base/mpi.h>
 
-#include <fstream>
+#include <output/disk.h>
+#include <output/run_directory.h>
 
 namespace MixedCracks
 {
@@ -57,9 +58,9 @@ namespace MixedCracks
     std::string message;
     if (dealii::Utilities::MPI::this_mpi_process(communicator) == 0)
     {
-      std::ofstream file(directory + "/parameters.prm");
-      file << effective_parameters << std::flush;
-      if (!file)
+      // a resumed run had them already
+      if (!write_durably(directory + "/parameters.prm", effective_parameters)
+             .empty())
         message = "Output/Directory: '" + directory +
                   "/parameters.prm' cannot be written.";
     }
@@ -78,6 +79,7 @@ namespace MixedCracks
     std::vector<std::string> names  = {"log.txt",
                                        "statistics.csv",
                                        "parameters.prm",
+                                       "parameters.prm.part",
                                        "summary.json",
                                        "summary.json.part",
                                        "checkpoint/",
@@ -88,13 +90,19 @@ namespace MixedCracks
       if (is_written)
         names.insert(names.end(), more.begin(), more.end());
     };
-    add(dim == 2, {"crack_path.csv", "crack_path.pvd", "crack_path/"});
-    add(with_crack_openings, {"crack_opening.csv"});
+    add(dim == 2,
+        {"crack_path.csv",
+         "crack_path.csv.part",
+         "crack_path.pvd",
+         "crack_path.pvd.part",
+         "crack_path/"});
+    add(with_crack_openings, {"crack_opening.csv", "crack_opening.csv.part"});
     add(parameters.with_fields(), {"fields/"});
     add(format == "VTU" || format == "both", {"fields.pvd", "fields.pvd.part"});
     add(format == "XDMF" || format == "both",
         {"fields.xdmf", "fields.xdmf.part"});
-    add(dim == 3 && parameters.with_fields(), {"crack_surface.pvd"});
+    add(dim == 3 && parameters.with_fields(),
+        {"crack_surface.pvd", "crack_surface.pvd.part"});
     return names;
   }
 } // namespace MixedCracks

@@ -274,11 +274,11 @@ namespace MixedCracks
     std::vector<std::string> names;
     add_fitting(directory,
                 "fields/",
-                "fields_[0-9]{5}(\\.[0-9]+)?\\.p?vtu|"
-                "(fields|mesh)_[0-9]{5}\\.h5(\\.part)?|"
-                "crack_surface_[0-9]{5}\\.vtp",
+                "fields_[0-9]{5,}(\\.[0-9]+)?\\.p?vtu|"
+                "(fields|mesh)_[0-9]{5,}\\.h5(\\.part)?|"
+                "crack_surface_[0-9]{5,}\\.vtp",
                 names);
-    add_fitting(directory, "crack_path/", "crack_path_[0-9]{6}\\.vtp", names);
+    add_fitting(directory, "crack_path/", "crack_path_[0-9]{6,}\\.vtp", names);
     return names;
   }
 

@@ -10,10 +10,12 @@
 // slit, and a pair stays a pair however far the faces slide.
 //
 // The two sides may be on different ranks. All vertices on slits are gathered
-// and sorted by (coarse face, place, side): partners are then neighbours, in
-// O(n log n). Places are compared on a grid of 64e-9 of the largest |x|, as the
-// two are equal but for rounding; several cells of a side that share the vertex
-// stand in a row before those of the other.
+// and sorted by coarse face and, as in slit_faces.cc, by f(x) = sum_d (0.6180 +
+// 0.2718 d) x_d with |grad f| < 1.6: partners, which are at one place but for
+// rounding, are among the few whose f differs by less than that times the
+// tolerance, in O(n log n). The tolerance is measured by the coarse face, which
+// does not depend on where the origin is. Several cells of a side may share a
+// vertex.
 
 #include <deal.II/base/mpi.h>
 
@@ -33,8 +35,11 @@ namespace MixedCracks
     // of the largest jump: what is less may be rounding, or the pressure of
     // one element on the next beside a tip
     constexpr double smallest_depth = 0.01;
-    // of the place of a vertex; vertices that are nearer are one
+    // of the displacement
     constexpr double rounding = 1e-9;
+    // of the size of a coarse face: vertices that are nearer are at one place.
+    // It bounds the depth of refinement by 19 levels.
+    constexpr double same_place = 1e-6;
 
     template <int dim>
     struct Vertex
@@ -43,6 +48,7 @@ namespace MixedCracks
       Tensor<1, dim> displacement;
       unsigned int   side;
       unsigned int   face;
+      double         order; // to find neighbours by
     };
 
 
@@ -56,10 +62,12 @@ namespace MixedCracks
         for (std::size_t i = 0; i < numbers.size(); i += 2 * dim + 2)
         {
           Vertex<dim> vertex;
+          vertex.order = 0.;
           for (unsigned int d = 0; d < dim; ++d)
           {
             vertex.position[d]     = numbers[i + d];
             vertex.displacement[d] = numbers[i + dim + d];
+            vertex.order += vertex.position[d] * (0.6180 + 0.2718 * d);
           }
           vertex.side = static_cast<unsigned int>(numbers[i + 2 * dim]);
           vertex.face = static_cast<unsigned int>(numbers[i + 2 * dim + 1]);
@@ -70,27 +78,33 @@ namespace MixedCracks
 
 
 
-    // Vertices at one place stand beside each other then.
-    template <int dim>
+    // Call @p body with the two vertices of each pair at one place, that of the
+    // first side first.
+    template <int dim, typename Body>
     void
-    sort_by_place(std::vector<Vertex<dim>> &vertices)
+    for_each_pair(const std::vector<SlitFace<dim>> &faces,
+                  std::vector<Vertex<dim>>         &vertices,
+                  const Body                       &body)
     {
-      double size = 0.;
-      for (const Vertex<dim> &vertex : vertices)
-        size = std::max(size, vertex.position.norm());
-      const double step = std::max(rounding * size, 1e-300);
-      const auto   key  = [step](const Vertex<dim> &vertex) {
-        std::array<double, dim + 2> result;
-        result[0] = vertex.face;
-        for (unsigned int d = 0; d < dim; ++d)
-          result[1 + d] = std::round(vertex.position[d] / step / 64.);
-        result[dim + 1] = vertex.side;
-        return result;
-      };
       std::sort(
-        vertices.begin(), vertices.end(), [&key](const auto &a, const auto &b) {
-          return key(a) < key(b);
+        vertices.begin(), vertices.end(), [](const auto &a, const auto &b) {
+          return a.face != b.face ? a.face < b.face : a.order < b.order;
         });
+      for (std::size_t i = 0; i < vertices.size(); ++i)
+      {
+        const Vertex<dim> &one     = vertices[i];
+        const auto        &corners = faces[one.face].place.corners;
+        const double       tolerance =
+          same_place * corners.front().distance(corners.back());
+        for (std::size_t j = i + 1;
+             j < vertices.size() && vertices[j].face == one.face &&
+             vertices[j].order - one.order <= 1.6 * tolerance;
+             ++j)
+          if (vertices[j].side != one.side &&
+              vertices[j].position.distance(one.position) <= tolerance)
+            body(one.side == 0 ? one : vertices[j],
+                 one.side == 0 ? vertices[j] : one);
+      }
     }
   } // namespace
 
@@ -161,16 +175,8 @@ namespace MixedCracks
     const MPI_Comm communicator = fields.communicator();
     auto           vertices     = unpack<dim>(Utilities::MPI::all_gather(
       communicator, displacements_at_slits(elastic)));
-    sort_by_place(vertices);
-    double largest_jump = 0., largest_displacement = 0.;
-    for (std::size_t i = 1; i < vertices.size(); ++i)
-    {
-      const Vertex<dim> &first = vertices[i - 1], &second = vertices[i];
-      const double       size =
-        second.position.norm() + first.displacement.norm() + 1e-300;
-      if (first.face != second.face || first.side == second.side ||
-          first.position.distance(second.position) > 1e3 * rounding * size)
-        continue;
+    double         largest_jump = 0., largest_displacement = 0.;
+    for_each_pair(faces, vertices, [&](const auto &first, const auto &second) {
       const Tensor<1, dim> jump  = second.displacement - first.displacement;
       const double         depth = -(jump * faces[first.face].normal);
       largest_jump               = std::max(largest_jump, jump.norm());
@@ -178,7 +184,7 @@ namespace MixedCracks
         std::max(largest_displacement, first.displacement.norm());
       if (depth > result.depth)
         result = {depth, first.position};
-    }
+    });
     // where the body moves as a whole, the jump is a rounding error
     if (!(result.depth > smallest_depth * largest_jump) ||
         !(result.depth > rounding * largest_displacement))

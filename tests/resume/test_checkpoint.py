@@ -91,8 +91,8 @@ def other_format(number):
     def change(folder):
         seal = folder / "seal.txt"
         text = seal.read_text()
-        assert "format 3" in text, text
-        seal.write_text(text.replace("format 3", "format %d" % number))
+        assert "format 4" in text, text
+        seal.write_text(text.replace("format 4", "format %d" % number))
     change.__name__ = "format %d" % number
     return change
 
@@ -162,8 +162,8 @@ def main():
                     (without("mesh.info"), "'mesh.info' is missing"),
                     (without("mesh_fixed.data"), "'mesh_fixed.data' is missing"),
                     (without("record.txt"), "'record.txt' is missing"),
-                    (other_format(4), "checkpoint format 4, this program reads 3"),
-                    (first_format, "checkpoint format 1, this program reads 3")]
+                    (other_format(3), "checkpoint format 3, this program reads 4"),
+                    (first_format, "checkpoint format 1, this program reads 4")]
         for cases, is_sealed in ((sealed, True), (unsealed, False)):
             for number, (spoil, says) in enumerate(cases):
                 print(spoil.__name__, is_sealed, flush=True)

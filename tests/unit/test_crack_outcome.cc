@@ -17,10 +17,12 @@ namespace
   const Point<2>       center(7., 3.);
   const CrackEnd::Kind on_boundary = CrackEnd::Kind::boundary;
 
+  // 12 x 6, with a slit from the left side to (3, 3)
   std::vector<BoundaryEdge>
   plate(const bool with_hole)
   {
     std::vector<BoundaryEdge> edges = sides(Imposed());
+    add_slit({0., 3.}, {3., 3.}, 0.15, edges);
     if (with_hole)
       add_hole(center, 1., edges);
     return edges;
@@ -195,4 +197,72 @@ TEST(CrackOutcome, OnlyAConnectionSeparates)
   EXPECT_TRUE(separates(outcome({onward, to_hole})));
   EXPECT_TRUE(separates(outcome({across})));
   EXPECT_FALSE(separates(not_traced()));
+}
+
+
+
+// The ligament beyond its other tip holds.
+TEST(CrackOutcome, ASlitWithinTheBodyIsNoSide)
+{
+  std::vector<BoundaryEdge> edges = sides(Imposed());
+  add_slit({4., 3.}, {7., 3.}, 0.15, edges);
+  const Crack to_right = crack("notch", "right", {{7., 3.}, {12., 3.}});
+  const Crack again    = crack("notch", "right", {{7., 3.}, {12., 4.}});
+  const Crack to_left  = crack("notch", "left", {{4., 3.}, {0., 3.}});
+  const auto  found    = [&edges](const std::vector<Crack> &cracks) {
+    return path_in_words(classify(cracks, edges, {}, l));
+  };
+  EXPECT_EQ(found({to_right}), "arrested");
+  EXPECT_EQ(found({to_right, again}), "arrested");
+  EXPECT_EQ(found({to_right, to_left}), "other");
+  // by way of the slit, not of the hole
+  add_hole({9., 1.5}, 0.5, edges);
+  EXPECT_EQ(found({to_right}), "arrested");
+  EXPECT_EQ(found({to_right, to_left}), "above hole");
+}
+
+
+
+TEST(CrackOutcome, ANotchBelongsToTheSideAtWhichItOpens)
+{
+  // a piece spalls off beside it
+  EXPECT_EQ(path_in_words(
+              outcome({crack("notch", "left", {{3., 3.}, {0., 4.}})}, false)),
+            "arrested");
+  EXPECT_EQ(path_in_words(
+              outcome({crack("notch", "top", {{3., 3.}, {3., 6.}})}, false)),
+            "other");
+  // two of one name, at two sides
+  std::vector<BoundaryEdge> edges = plate(false);
+  add_slit({12., 3.}, {9., 3.}, 0.15, edges);
+  EXPECT_TRUE(separates(
+    classify({crack("notch", "notch", {{3., 3.}, {9., 3.}})}, edges, {}, l)));
+}
+
+
+
+TEST(CrackOutcome, OnlyTheOutlineHasSides)
+{
+  // a hole that the mesh calls otherwise
+  std::vector<BoundaryEdge> edges = plate(true);
+  for (BoundaryEdge &edge : edges)
+    if (edge.name == "hole")
+      edge.name = "pin";
+  const Crack to_pin = crack("notch", "pin", {{3., 3.}, {6., 3.}});
+  const Crack beyond = crack("pin", "right", {{8., 3.}, {12., 3.}});
+  EXPECT_FALSE(separates(classify({to_pin}, edges, {}, l)));
+  EXPECT_TRUE(separates(classify({to_pin, beyond}, edges, {}, l)));
+}
+
+
+
+TEST(CrackOutcome, CracksAtTwoHolesAreNotJoined)
+{
+  std::vector<BoundaryEdge> edges = plate(true);
+  add_hole({10.5, 3.}, 0.5, edges);
+  const Crack far     = crack("hole", "right", {{11., 3.}, {12., 3.}});
+  const Crack between = crack("hole", "hole", {{8., 3.}, {10., 3.}});
+  EXPECT_FALSE(separates(classify({to_hole, far}, edges, {}, l)));
+  EXPECT_EQ(path_in_words(classify({to_hole, between, far}, edges, {}, l)),
+            "through hole");
 }

@@ -186,6 +186,22 @@ TEST_F(CrackPathFiles, AreRestoredFromTheRowsOfACheckpoint)
 
 
 
+// Who has the old file open sees it whole.
+TEST_F(CrackPathFiles, AreReplacedAndNotWrittenOver)
+{
+  EXPECT_EQ(file.add(2, 0.1, 0.02, {crack_to(4.5)}), "");
+  const std::string rows = file.rows(), pvd = content("crack_path.pvd");
+  std::ifstream     old_rows(directory + "/crack_path.csv"),
+    old_pvd(directory + "/crack_path.pvd");
+  CrackPathFile resumed(directory, 0.03);
+  EXPECT_EQ(resumed.restore(""), "");
+  EXPECT_EQ(std::string(std::istreambuf_iterator<char>(old_rows), {}), rows);
+  EXPECT_EQ(std::string(std::istreambuf_iterator<char>(old_pvd), {}), pvd);
+  EXPECT_EQ(content("crack_path.csv"), header);
+}
+
+
+
 TEST_F(CrackPathFiles, KeepNamesWithCommasTogether)
 {
   Crack crack = crack_to(4.5);

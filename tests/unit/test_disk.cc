@@ -11,8 +11,26 @@
 #include <fstream>
 
 #include <sys/resource.h>
+#include <sys/syscall.h>
+#include <unistd.h>
 
 using namespace MixedCracks;
+
+namespace
+{
+  // what was synced, in that order
+  std::vector<std::string> synced;
+} // namespace
+
+// In the place of that of the C library, which goes on to do its work.
+extern "C" int
+fsync(const int file)
+{
+  const std::string link = "/proc/self/fd/" + std::to_string(file);
+  std::error_code   error;
+  synced.push_back(std::filesystem::read_symlink(link, error).string());
+  return static_cast<int>(syscall(SYS_fsync, file));
+}
 
 namespace
 {
@@ -81,6 +99,27 @@ TEST(Disk, WritesAFileAsAWhole)
   EXPECT_FALSE(ends_with(path, "nothing that is in it\n"));
   EXPECT_EQ(folder.n_files(), 1u);
   EXPECT_EQ(size_of_file(folder.path + "/none"), -1);
+}
+
+
+
+TEST(Disk, NamesOfFoldersAreOnTheDiskToo)
+{
+  const Folder      folder;
+  const std::string top =
+    std::filesystem::canonical(std::filesystem::path(folder.path)).string();
+  const std::string path = folder.path + "/checkpoint/generation-0";
+  synced.clear();
+  EXPECT_EQ(make_folder_durably(path), "");
+  EXPECT_TRUE(std::filesystem::is_directory(path));
+  EXPECT_EQ(synced, (std::vector<std::string>{top + "/checkpoint", top}));
+  // one that is there may have been made just before the machine stopped
+  synced.clear();
+  EXPECT_EQ(make_folder_durably(path), "");
+  EXPECT_EQ(synced, std::vector<std::string>{top + "/checkpoint"});
+  EXPECT_EQ(write_durably(folder.path + "/file", "text\n"), "");
+  const std::string message = make_folder_durably(folder.path + "/file/none");
+  EXPECT_NE(message.find("file/none"), std::string::npos) << message;
 }
 
 

@@ -347,6 +347,23 @@ TEST(FieldOutput, AMeshIsWrittenOnceAndAResumedListContinued)
 
 
 
+// From there on names have more digits.
+TEST(FieldOutput, AResumedRunKnowsStep100000)
+{
+  Written<2> run("many_steps", 1);
+  for (const std::string format : {"VTU", "XDMF"})
+  {
+    FieldOutput<2> output(run.fields, run.directory, format);
+    run.write(output, 100000);
+    FieldOutput<2> resumed(run.fields, run.directory, format);
+    resumed.restore(output.records());
+    EXPECT_TRUE(resumed.has(100000)) << format;
+    EXPECT_FALSE(resumed.has(10000)) << format;
+  }
+}
+
+
+
 TEST(FieldOutput, NoneIsWritten)
 {
   Written<2>     run("none", 1);

@@ -8,6 +8,8 @@
 
 #include <gtest/gtest.h>
 
+#include "geometries.h"
+
 using namespace MixedCracks;
 using namespace MixedCracks::Testing;
 
@@ -103,6 +105,47 @@ TYPED_TEST(PointDisplacementsOf, RefusePointsOutside)
   catch (const InputError &error)
   {
     EXPECT_NE(std::string(error.what()).find("far out"), std::string::npos);
+  }
+}
+
+
+
+// Finer cells above the slit, from x = 0 to 0.5 at y = 0.5, which has moved by
+// 1: at a vertex of theirs two cells meet one below.
+TEST(PointDisplacementsAtSlits, AreTheMeanOfTheFaces)
+{
+  dealii::parallel::distributed::Triangulation<2> mesh(MPI_COMM_WORLD);
+  GeometryTests::geometry("slit square", {{"Cell size", "0.125"}})
+    ->create(mesh);
+  for (const auto &cell : mesh.active_cell_iterators())
+    if (cell->is_locally_owned() && cell->center()[1] > 0.5 &&
+        cell->center()[0] < 0.5)
+      cell->set_refine_flag();
+  mesh.execute_coarsening_and_refinement();
+  Fields<2> fields(mesh, {false, 1});
+  fields.distribute();
+  LinearAlgebra::Vector owned = fields.owned_vector(fields.elastic_dofs);
+  for (const auto &cell : fields.elastic.active_cell_iterators())
+    if (cell->is_locally_owned())
+      for (const unsigned int v : cell->vertex_indices())
+        if (const auto dof = cell->vertex_dof_index(v, 1);
+            fields.elastic_dofs.owned.is_element(dof))
+          owned(dof) =
+            cell->center()[1] > 0.5 && cell->vertex(v)[0] < 0.49 ? 1. : 0.;
+  owned.compress(dealii::VectorOperation::insert);
+  LinearAlgebra::Vector elastic = fields.ghosted_vector(fields.elastic_dofs);
+  elastic                       = owned;
+  PointDisplacements<2> displacements(
+    fields,
+    points<2>("finer : 0.1875, 0.5 ; both : 0.25, 0.5 ; side : 0.2, 0.5 ; "
+              "mouth : 0, 0.5 ; tip : 0.5, 0.5 ; above : 0.25, 0.625"));
+  displacements.reinit();
+  const std::vector<double> found      = displacements.evaluate(elastic);
+  const double              expected[] = {0.5, 0.5, 0.5, 0.5, 0., 1.};
+  for (unsigned int i = 0; i < 6; ++i)
+  {
+    EXPECT_EQ(found[2 * i], 0.) << i;
+    EXPECT_NEAR(found[2 * i + 1], expected[i], 1e-14) << i;
   }
 }
 

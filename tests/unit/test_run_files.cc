@@ -205,6 +205,20 @@ TEST_F(RunFilesOfADirectory, OfEarlierVersionsAreKnownByTheirNames)
 
 
 
+TEST_F(RunFilesOfADirectory, HaveMoreDigitsFromStep100000On)
+{
+  write("crack_path/crack_path_1000000.vtp");
+  for (const char *name : {"fields/fields_99999.pvtu",
+                           "fields/fields_100000.0.vtu",
+                           "fields/fields_100000.h5",
+                           "fields/mesh_100000.h5.part",
+                           "fields/crack_surface_100000.vtp"})
+    write(name);
+  EXPECT_EQ(numbered_files(directory).size(), 6u);
+}
+
+
+
 TEST_F(RunFilesOfADirectory, IncludeThoseThatTheSealOfACheckpointNames)
 {
   const std::string generation = "checkpoint/generation-1/";

@@ -38,7 +38,6 @@ namespace
     record.overlap_in_words    = "at (1, 2), \"deep\"";
     record.changed_loads       = {"one", "and \"another\""};
     record.totals              = {6, 7, 8, 9.5, {{"output", 0.5}, {"a b", 1.}}};
-    record.nuclei              = {{0.25, 0.75}, {1., 1e300}};
     record.rows.resize(2);
     StatisticsRow &row            = record.rows[1];
     row["step"]                   = 1;
@@ -98,7 +97,6 @@ TEST(RunRecord, ComesBackAsItWasWritten)
   EXPECT_EQ(record.end, RunEnd::onset);
   EXPECT_EQ(record.time, 1. / 3.);
   EXPECT_EQ(record.totals.phases.at("a b"), 1.);
-  EXPECT_EQ(record.nuclei[1][1], 1e300);
   EXPECT_EQ(record.field_files[0].second, "fields/a b.pvtu");
   EXPECT_EQ(record.rows[1].point_displacements[1], 34.);
   EXPECT_EQ(record.n_overlapping_steps, 35u);
