@@ -43,11 +43,6 @@ namespace MixedCracks
     /// without these origins are not looked at, and have no cracks.
     DamageOrigins first_origins(const LinearAlgebra::Vector &phase_field) const;
 
-    /// Of a run that goes on. @p nuclei: those found so far.
-    DamageOrigins
-    resumed_origins(const std::vector<dealii::Point<2>> &nuclei,
-                    const LinearAlgebra::Vector         &phase_field) const;
-
     /// To be called with every phase field that is predicted within a step:
     /// add to the origins of @p state what is broken in it and was not before.
     void watch(State &state) const;

@@ -14,11 +14,6 @@ namespace MixedCracks
   DamageOrigins origins_at_start(double                               reach,
                                  const std::vector<dealii::Point<2>> &nodes);
 
-  /// Those of a run that is resumed, from the @p nuclei it had found.
-  DamageOrigins resumed_origins(double                               reach,
-                                const std::vector<dealii::Point<2>> &nodes,
-                                const std::vector<dealii::Point<2>> &nuclei);
-
   /// Nodes that have broken since.
   void add_broken_nodes(const std::vector<dealii::Point<2>> &nodes,
                         DamageOrigins                       &origins);

@@ -47,8 +47,6 @@ namespace MixedCracks
     std::vector<std::string> changed_loads;
     RunTotals                totals; ///< so far
 
-    /// where damage was seen first, mm: of the state that was written with it
-    std::vector<dealii::Point<2>>               nuclei;
     std::vector<StatisticsRow>                  rows;
     std::vector<std::pair<double, std::string>> field_files;
 

@@ -119,20 +119,10 @@ namespace MixedCracks
   DamageOrigins
   CrackObserver<dim>::first_origins(const Vector &phase_field) const
   {
-    return resumed_origins({}, phase_field);
-  }
-
-
-
-  template <int dim>
-  DamageOrigins
-  CrackObserver<dim>::resumed_origins(const std::vector<Point<2>> &nuclei,
-                                      const Vector &phase_field) const
-  {
     DamageOrigins nothing_known;
     nothing_known.reach = reach * length_scale;
-    return MixedCracks::resumed_origins(
-      nothing_known.reach, newly_broken(phase_field, nothing_known), nuclei);
+    return origins_at_start(nothing_known.reach,
+                            newly_broken(phase_field, nothing_known));
   }
 
 

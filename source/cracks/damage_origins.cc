@@ -101,25 +101,6 @@ namespace MixedCracks
 
 
 
-  // A checkpoint keeps the nuclei only. All nodes broken at that time are known
-  // then, and stand for the initial ones; that these have grown is seen from a
-  // nucleus that is one of them.
-  DamageOrigins
-  resumed_origins(const double                 reach,
-                  const std::vector<Point<2>> &nodes,
-                  const std::vector<Point<2>> &nuclei)
-  {
-    DamageOrigins origins = origins_at_start(reach, nodes);
-    origins.nuclei        = nuclei;
-    for (const Point<2> &node : nodes)
-      origins.initial_has_grown =
-        origins.initial_has_grown ||
-        std::find(nuclei.begin(), nuclei.end(), node) != nuclei.end();
-    return origins;
-  }
-
-
-
   void
   add_broken_nodes(const std::vector<Point<2>> &nodes, DamageOrigins &origins)
   {

@@ -271,9 +271,7 @@ namespace MixedCracks
       split_record(Utilities::MPI::broadcast(communicator, text, 0));
     contents = sealed.contents;
     std::istringstream run(sealed.run);
-    RunRecord          record = read_record(run);
-    record.nuclei             = contents.damage_origins.nuclei;
-    return record;
+    return read_record(run);
   }
 
 

@@ -57,7 +57,6 @@ namespace MixedCracks
   static auto
   members(Record &record)
   {
-    // the nuclei are in what the checkpoint says of the state
     auto &[signature,
            attempt,
            end,
@@ -76,7 +75,6 @@ namespace MixedCracks
            overlap_in_words,
            changed_loads,
            totals,
-           nuclei,
            rows,
            field_files,
            tables] = record;

@@ -97,8 +97,6 @@ namespace MixedCracks
     checkpoint.load_fields(body.fields, body.triangulation, state);
     state.time      = resumed->time;
     state.time_step = resumed->time_step;
-    state.damage_origins =
-      crack_observer.resumed_origins(resumed->nuclei, state.phase_field);
     load_control.restore(resumed->time,
                          resumed->next_step,
                          resumed->peak_force,
@@ -149,7 +147,6 @@ namespace MixedCracks
     record.cell_size     = body.cell_size;
     record.time          = state.time;
     record.time_step     = state.time_step;
-    record.nuclei        = state.damage_origins.nuclei;
     record.next_step     = load_control.natural_step();
     record.peak_force    = load_control.peak_force();
     record.steps_to_wait = load_control.steps_to_wait();

@@ -65,7 +65,7 @@ namespace
     dealii::parallel::distributed::Triangulation<2> mesh(MPI_COMM_WORLD);
     make_mesh(mesh);
     Checkpoint<2> checkpoint(directory, MPI_COMM_WORLD);
-    EXPECT_EQ(checkpoint.read().nuclei, origins.nuclei);
+    checkpoint.read();
     checkpoint.load_mesh(mesh);
     Fields<2> fields(mesh, {false, 1});
     fields.distribute();

@@ -76,12 +76,3 @@ TEST(DamageOrigins, ACopyTakesARejectedStepBack)
   add_broken_nodes({{5., 5.}}, origins);
   EXPECT_EQ(origins.nuclei.size(), 1u);
 }
-
-
-
-TEST(DamageOrigins, ContinuesWithWhatWasFound)
-{
-  DamageOrigins origins = resumed_origins(0.9, notch(), {{1., 0.}});
-  add_broken_nodes({{1.5, 0.}}, origins);
-  EXPECT_EQ(origins.nuclei.size(), 1u);
-}
