@@ -21,7 +21,7 @@ namespace MixedCracks
   PrincipalStrains<dim>
   principal_strains(const dealii::SymmetricTensor<2, dim> &strain);
 
-  /// The spectral split (M4), [Miehe10], of the part 2 mu eps of the stress:
+  /// The spectral split (M4), [Miehe10a], of the part 2 mu eps of the stress:
   /// sigma+ = 2 mu eps+ with eps+ = sum_a <eps_a> n_a n_a, from the energy
   /// mu eps+ : eps+. Its tangent in the principal basis multiplies the entry
   /// ab of a strain rate by (<eps_a> - <eps_b>)/(eps_a - eps_b), which is 1 or

@@ -55,8 +55,8 @@ namespace MixedCracks
     /// after so many iterations any reduction is enough; 0: off
     unsigned int enough_iterations = 0;
     /// ... if what is left is no larger than this
-    double enough_residual = std::numeric_limits<double>::infinity();
-    unsigned int max_bisections    = 6; ///< of the line search
+    double       enough_residual = std::numeric_limits<double>::infinity();
+    unsigned int max_bisections  = 6; ///< of the line search
     /// the same where it descends on a potential or is kept off a barrier
     unsigned int max_guarded_bisections = 20;
     /// an old matrix is given up when it reduces the residual by less

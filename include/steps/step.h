@@ -7,6 +7,7 @@
 #include <steps/coupling.h>
 #include <steps/fixed_point.h>
 #include <steps/rest.h>
+#include <steps/retreat.h>
 #include <steps/step_elastic.h>
 #include <steps/step_phase_field.h>
 
@@ -109,14 +110,6 @@ namespace MixedCracks
                                        State                 &trial,
                                        StepOutcome           &outcome);
 
-    /// Whether Newton's method, where it fails, is to be given a nearer phase
-    /// field.
-    bool can_retreat() const;
-
-    void retreat(State &trial);
-
-    void keep_equilibrium(const State &trial);
-
     /// @p factor: length of the step to this iteration over a plain one.
     void look_for_rest(const State &trial, double factor, StepOutcome &outcome);
 
@@ -141,8 +134,7 @@ namespace MixedCracks
 
     FixedPointAcceleration acceleration;
     RestWatch              stored_energy;
-    State        equilibrium;    // the last one of this step: (u, p) and phi~
-    unsigned int n_retreats = 0; // since then
+    Retreat<dim>           retreat;
   };
 } // namespace MixedCracks
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// The spectral split (M4) of 2 mu eps [Miehe10]: principal strains in tension
+// The spectral split (M4) of 2 mu eps [Miehe10a]: principal strains in tension
 // open cracks,
 //
 //   eps = sum_a eps_a n_a (x) n_a,     eps+ = sum_a <eps_a> n_a (x) n_a,

@@ -22,6 +22,7 @@
 
 #include <deal.II/base/mpi.h>
 
+#include <steps/phase_field_bounds.h>
 #include <steps/step.h>
 
 #include <algorithm>
@@ -54,54 +55,13 @@ namespace MixedCracks
     // a strip whose crack grows stably this leaves the force wrong by 1 %.
     constexpr double energy_at_rest = 5e-5;
 
-    // At finite strain: how often a step of the phase field is halved when
-    // Newton's method does not follow it, and what it may take to follow.
-    constexpr unsigned int most_retreats        = 6;
+    // What Newton's method may take where its phase field can be brought
+    // nearer.
     constexpr unsigned int iterations_to_follow = 10;
 
     // The force on a body that is apart changes by less than this from one
     // iteration to the next; of the force below which the run ends.
     constexpr double steady_force = 0.05;
-
-
-
-    // max over the nodes of a - b, or of its modulus; infinite where one of
-    // them is NaN
-    double
-    largest_difference(const Vector &a, const Vector &b, const bool modulus)
-    {
-      double     largest = 0.;
-      const auto owned   = a.locally_owned_elements();
-      for (const auto i : owned)
-      {
-        double difference = a(i) - b(i);
-        if (std::isnan(difference))
-          difference = std::numeric_limits<double>::infinity();
-        largest =
-          std::max(largest, modulus ? std::abs(difference) : difference);
-      }
-      return Utilities::MPI::max(largest, a.get_mpi_communicator());
-    }
-
-
-
-    // result = base + factor * (target - base), within [0, upper]
-    void
-    move_within_bounds(const Vector &base,
-                       const Vector &target,
-                       const double  factor,
-                       const Vector &upper,
-                       Vector       &result)
-    {
-      const IndexSet owned = base.locally_owned_elements();
-      Vector         values(owned, base.get_mpi_communicator());
-      for (const auto i : owned)
-        values(i) = std::clamp(base(i) + factor * (target(i) - base(i)),
-                               0.,
-                               std::max(0., static_cast<double>(upper(i))));
-      values.compress(VectorOperation::insert);
-      result = values;
-    }
   } // namespace
 
 
@@ -122,6 +82,7 @@ namespace MixedCracks
     , communicator(communicator)
     , log(log)
     , acceleration(options.acceleration)
+    , retreat(elastic)
   {}
 
 
@@ -224,7 +185,7 @@ namespace MixedCracks
       present.enough_iterations  = inexact_iterations;
       if (elastic.is_finite())
         present.enough_residual = inexact_residual;
-      if (can_retreat())
+      if (retreat.is_possible())
         present.max_iterations =
           std::min(present.max_iterations, iterations_to_follow);
     }
@@ -316,52 +277,6 @@ namespace MixedCracks
 
 
   template <int dim>
-  bool
-  StepSolver<dim>::can_retreat() const
-  {
-    return elastic.is_finite() && equilibrium.elastic.size() > 0 &&
-           n_retreats < most_retreats;
-  }
-
-
-
-  // phi~ <- 1/2 (phi~ + that of the last equilibrium), (u, p) from there: where
-  // cells lose their stiffness in one iteration of a running crack, the next
-  // equilibrium may be too far for Newton's method. The iterates stay ones of
-  // the fixed point: with a shorter step.
-  template <int dim>
-  void
-  StepSolver<dim>::retreat(State &trial)
-  {
-    ++n_retreats;
-    Vector halfway(trial.lagged_phase_field.locally_owned_elements(),
-                   communicator);
-    Vector last(halfway);
-    halfway = trial.lagged_phase_field;
-    last    = equilibrium.lagged_phase_field;
-    halfway.sadd(0.5, 0.5, last);
-    trial.lagged_phase_field = halfway;
-    trial.elastic            = equilibrium.elastic;
-    elastic.carry_pressure(equilibrium.lagged_phase_field, trial);
-    acceleration.restart();
-  }
-
-
-
-  template <int dim>
-  void
-  StepSolver<dim>::keep_equilibrium(const State &trial)
-  {
-    if (!elastic.is_finite())
-      return;
-    n_retreats                     = 0;
-    equilibrium.elastic            = trial.elastic;
-    equilibrium.lagged_phase_field = trial.lagged_phase_field;
-  }
-
-
-
-  template <int dim>
   StepOutcome
   StepSolver<dim>::left(StepOutcome outcome, const std::string &reason) const
   {
@@ -384,8 +299,7 @@ namespace MixedCracks
     StepOutcome outcome  = so_far;
     acceleration.restart();
     stored_energy.restart();
-    equilibrium = State();
-    n_retreats  = 0;
+    retreat.restart();
     // of the step from the last iteration to this one
     double              factor = 0.;
     const bool          is_new = !goes_on(outcome, trial);
@@ -410,12 +324,13 @@ namespace MixedCracks
       outcome.linear_iterations += newton.linear_iterations;
       if (!newton.converged)
       {
-        if (!can_retreat() || callbacks.stop_requested())
+        if (!retreat.is_possible() || callbacks.stop_requested())
           return left(outcome, newton.reason);
-        retreat(trial);
+        retreat.go_back(trial);
+        acceleration.restart();
         continue;
       }
-      keep_equilibrium(trial);
+      retreat.keep(trial);
       const ActiveSetOutcome active_set =
         solve_phase_field(accepted, fixed, trial, outcome);
       log_iteration(outcome.coupling_iterations,
@@ -454,7 +369,7 @@ namespace MixedCracks
       if (is_settled(outcome))
         continue;
       advance_lagged_field(accepted, trial);
-      elastic.carry_pressure(equilibrium.lagged_phase_field, trial);
+      retreat.carry_pressure(trial);
       factor = acceleration.factor();
       // with no stable state nearby the change would exceed any bound
       outcome.runs_away = std::isfinite(bound) && acceleration.runs_away();
