@@ -171,7 +171,7 @@ TEST(ThreeDimensions, ThickStripWithoutStrainInZIsPlaneStrain)
         "Mesh/Global refinements = 1\n"
         "Material/Lame lambda = " +
         lambda + "\nBoundary conditions/Displacement = " + clamped;
-      Body      plane(strip(model, more));
+      BodyIn<2> plane(strip(model, more));
       BodyIn<3> body(strip(model, more + "; back : z : 0; front : z : 0"));
       plane.solve();
       body.solve();
