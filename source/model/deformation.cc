@@ -76,9 +76,12 @@ namespace MixedCracks
           square += h[k][i] * h[k][j];
         strain[i][j] = 0.5 * (h[i][j] + h[j][i] + square);
       }
-    volume_change = volume_change_of(h);
-    log_volume    = std::log1p(volume_change);
-    log_gradient  = cofactor / (1. + volume_change);
+    // a volume near 0, as in plane stress where little is left of the material
+    // but a pressure, has its digits in the product
+    const double volume = gradient[0] * cofactor[0];
+    volume_change       = volume < 0.5 ? volume - 1. : volume_change_of(h);
+    log_volume   = volume < 0.5 ? std::log(volume) : std::log1p(volume_change);
+    log_gradient = cofactor / volume;
   }
 
 

@@ -8,7 +8,9 @@
 //   mu = 1/2 sum_i mu_i alpha_i,    lambda_W = 0, or -2 mu/3 (isochoric)
 //
 // Beyond the stretch of use L, omega = a + b lambda^2 with the value and slope
-// at L: neo-Hooke, with b = omega'(L)/(2 L) > 0 demanded of the constants.
+// at L: neo-Hooke, with b = omega'(L)/(2 L) > 0 demanded of the constants. A
+// stretch that goes to 0 keeps the law as it is: a negative alpha has its
+// barrier there.
 //
 // With T_a = dW~/dlambda_a and K_ab = d2W~/dlambda_a dlambda_b, n_a N_b short
 // for n_a (x) N_b,
