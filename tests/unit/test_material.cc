@@ -93,7 +93,9 @@ TYPED_TEST(MaterialTest, MixedDerivativesMatchDifferenceQuotients)
         {
           const auto response = material.mixed(strain, p, g);
           const auto tangent  = difference_quotient<dim>(
-            [&](const auto &x) { return material.mixed(x, p, g).stress; },
+            [&](const auto &x) {
+              return symmetrize(material.mixed(x, p, g).stress);
+            },
             strain);
           EXPECT_LT((response.stress_by_strain - tangent).norm(), 1e-6 * mu);
 
@@ -126,7 +128,9 @@ TYPED_TEST(MaterialTest, EliminatedTangentMatchesDifferenceQuotients)
       for (const double g : degradations)
       {
         const auto tangent = difference_quotient<dim>(
-          [&](const auto &x) { return material.eliminated(x, g).stress; },
+          [&](const auto &x) {
+            return symmetrize(material.eliminated(x, g).stress);
+          },
           strain);
         EXPECT_LT(
           (material.eliminated(strain, g).stress_by_strain - tangent).norm(),
@@ -158,7 +162,7 @@ TYPED_TEST(MaterialTest, EliminationAgreesWithTheMixedForm)
                     .norm(),
                   1e-11);
         EXPECT_NEAR(material.elastic_energy(strain, p, g),
-                    0.5 * (eliminated.stress * strain),
+                    0.5 * (symmetrize(eliminated.stress) * strain),
                     1e-14);
       }
   });
