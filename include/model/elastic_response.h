@@ -5,8 +5,20 @@
 #include <deal.II/base/symmetric_tensor.h>
 #include <deal.II/base/tensor.h>
 
+#include <optional>
+
 namespace MixedCracks
 {
+  /// Derivatives at finite strain, F_33 condensed out in plane stress.
+  template <int dim>
+  struct FiniteTangent
+  {
+    /// dP_iJ/d(grad u)_kL, MPa, with major symmetry.
+    dealii::Tensor<4, dim> stress_by_gradient;
+    /// dP/dp = d(constraint)/d(grad u), dimensionless.
+    dealii::Tensor<2, dim> coupling;
+  };
+
   /// Stress, constraint and their derivatives at one point for a given
   /// degradation: the integrands of (stress, grad w) and (constraint, q), the
   /// first two lines of (M5). Derivatives are valid only where they have been
@@ -30,11 +42,8 @@ namespace MixedCracks
     /// Small strains only: d(constraint)/d(tr eps).
     double constraint_by_trace = 0.;
 
-    /// Finite strain only: dP_iJ/d(grad u)_kL, MPa, with major symmetry; F_33
-    /// condensed out in plane stress.
-    dealii::Tensor<4, dim> stress_by_gradient;
-    /// Finite strain only: dP/dp = d(constraint)/d(grad u), dimensionless.
-    dealii::Tensor<2, dim> coupling;
+    /// Finite strain only: at small strains nobody fills its 81 numbers.
+    std::optional<FiniteTangent<dim>> finite;
   };
 } // namespace MixedCracks
 

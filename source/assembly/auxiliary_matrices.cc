@@ -119,8 +119,8 @@ namespace MixedCracks
       for (const Tensor<1, dim> &n : all)
       {
         const Tensor<2, dim> Q =
-          acoustic_tensor(response.stress_by_gradient, n);
-        const Tensor<1, dim> force = response.coupling * n;
+          acoustic_tensor(response.finite->stress_by_gradient, n);
+        const Tensor<1, dim> force = response.finite->coupling * n;
         const double         compliance =
           determinant(Q) != 0. ? force * (invert(Q) * force) : 0.;
         sum += compliance > 0. ? compliance : force * force / Q.norm();
@@ -294,11 +294,11 @@ namespace MixedCracks
     shapes.reinit(geometry);
     for (unsigned int q = 0; q < responses.size(); ++q)
       if (is_finite)
-        add_stiffness(
-          Tensor<4, dim>(geometry.weights[q] * responses[q].stress_by_gradient),
-          shapes,
-          q,
-          local);
+        add_stiffness(Tensor<4, dim>(geometry.weights[q] *
+                                     responses[q].finite->stress_by_gradient),
+                      shapes,
+                      q,
+                      local);
       else
         add_stiffness(SymmetricTensor<4, dim>(geometry.weights[q] *
                                               responses[q].stress_by_strain),

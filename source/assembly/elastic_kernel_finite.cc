@@ -59,7 +59,7 @@ namespace MixedCracks
     FullMatrix<double> &result) const
   {
     const Tensor<4, dim> tangent =
-      geometry->weights[q] * responses[q].stress_by_gradient;
+      geometry->weights[q] * responses[q].finite->stress_by_gradient;
     for (unsigned int b = 0; b < displacement_dofs.size(); ++b)
       for (unsigned int e = 0; e < dim; ++e)
       {
@@ -84,7 +84,7 @@ namespace MixedCracks
                                              FullMatrix<double> &result) const
   {
     const Tensor<2, dim> coupling =
-      geometry->weights[q] * responses[q].coupling;
+      geometry->weights[q] * responses[q].finite->coupling;
     for (unsigned int a = 0; a < displacement_dofs.size(); ++a)
     {
       const Tensor<1, dim> force =

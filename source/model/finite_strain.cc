@@ -68,8 +68,8 @@ namespace MixedCracks
       result.stress                 = filled<2, dim>(undefined);
       result.constraint             = undefined;
       result.constraint_by_pressure = undefined;
-      result.stress_by_gradient     = filled<4, dim>(undefined);
-      result.coupling               = filled<2, dim>(undefined);
+      result.finite = FiniteTangent<dim>{filled<4, dim>(undefined),
+                                         filled<2, dim>(undefined)};
       return result;
     }
 
@@ -230,15 +230,16 @@ namespace MixedCracks
     ElasticResponse<dim> result;
     result.constraint             = full.constraint;
     result.constraint_by_pressure = full.constraint_by_pressure;
+    FiniteTangent<dim> &finite    = result.finite.emplace();
     for (unsigned int i = 0; i < dim; ++i)
       for (unsigned int j = 0; j < dim; ++j)
       {
         result.stress[i][j]   = full.stress[i][j];
-        result.coupling[i][j] = full.coupling[i][j];
+        finite.coupling[i][j] = full.coupling[i][j];
         if (with_tangent)
           for (unsigned int k = 0; k < dim; ++k)
             for (unsigned int l = 0; l < dim; ++l)
-              result.stress_by_gradient[i][j][k][l] = full.tangent[i][j][k][l];
+              finite.stress_by_gradient[i][j][k][l] = full.tangent[i][j][k][l];
       }
     return result;
   }
@@ -283,7 +284,7 @@ namespace MixedCracks
     ElasticResponse<dim> result   = in_body(full, with_tangent);
     result.constraint             = 0.;
     result.constraint_by_pressure = 0.;
-    result.coupling               = 0.;
+    result.finite->coupling       = 0.;
     return result;
   }
 

@@ -127,7 +127,7 @@ def an_expression_is_mended(run, folder):
     assert "--resume" in out, out
     # another support is another case
     out = run(directory, "--resume", status=2,
-              settings=[(load % "t").replace("top : x", "bottom : x")])
+              settings=[(load % "t").replace("top : x : 0 ; ", "")])
     assert "the case has changed" in out, out
     end = "Load stepping/End time=5e-3"
     out = run(directory, "--resume", settings=[load % "t", end])

@@ -139,7 +139,7 @@ class Files(Case):
             lines = process.stdout.splitlines()
             self.assertEqual(len(lines), len(set(lines)))
             self.assertGreaterEqual(len(lines), 2)
-            if os.path.basename(path).startswith("notch_heights"):
+            if path.endswith(os.path.join("epdm", "notch_heights.sweep")):
                 self.assertEqual(len(lines), 10)
 
 

@@ -113,21 +113,22 @@ namespace
                      const bool                  mixed,
                      const double                rounding)
   {
-    const double size = 1. + found.stress_by_gradient.norm();
+    const double size = 1. + found.finite->stress_by_gradient.norm();
     for (unsigned int i = 0; i < dim * dim; ++i)
     {
       const unsigned int a = i / dim, b = i % dim, row = 3 * a + b;
       EXPECT_NEAR(found.stress[a][b], exact.first[row], rounding * size);
-      EXPECT_NEAR(
-        found.coupling[a][b], mixed ? hessian[row][9] : 0., 10. * rounding);
+      EXPECT_NEAR(found.finite->coupling[a][b],
+                  mixed ? hessian[row][9] : 0.,
+                  10. * rounding);
       for (unsigned int k = 0; k < dim * dim; ++k)
       {
         const unsigned int c = k / dim, d = k % dim;
-        EXPECT_NEAR(found.stress_by_gradient[a][b][c][d],
+        EXPECT_NEAR(found.finite->stress_by_gradient[a][b][c][d],
                     hessian[row][3 * c + d],
                     10. * rounding * size);
-        EXPECT_NEAR(found.stress_by_gradient[a][b][c][d],
-                    found.stress_by_gradient[c][d][a][b],
+        EXPECT_NEAR(found.finite->stress_by_gradient[a][b][c][d],
+                    found.finite->stress_by_gradient[c][d][a][b],
                     1e-13 * size);
       }
     }
