@@ -11,6 +11,19 @@
 namespace MixedCracks
 {
   /// The driver: owns the objects of the other rooms and runs the algorithm.
+  ///
+  ///   preflight     mesh, material, expressions; what the log says beforehand
+  ///   first state   new: step 0, phi relaxed around slits and initial cracks
+  ///                 resumed: read from the checkpoint
+  ///   until an end  TrialStep tries a step, LoadControl judges it:
+  ///                   accept   it is recorded, then becomes the accepted state
+  ///                   repeat   with a smaller step, from the same state
+  ///                   onset, give up   the run ends with the accepted state
+  ///   finish        fields, checkpoint, summary: whatever has ended the run
+  ///
+  /// A directory that holds an earlier run is not touched before the new one
+  /// has its first state, or has failed at it: a case that is refused leaves it
+  /// as it was. An empty one is opened at once.
   template <int dim>
   class Simulation
   {

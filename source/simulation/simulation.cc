@@ -1,19 +1,4 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// The course of a run:
-//
-//   preflight     mesh, material, expressions; what the log says beforehand
-//   first state   new: step 0, phi relaxed around slits and initial cracks
-//                 resumed: read from the checkpoint
-//   until an end  TrialStep tries a step, LoadControl judges it:
-//                   accept   it is recorded, then becomes the accepted state
-//                   repeat   with a smaller step, from the same state
-//                   onset, give up   the run ends with the last accepted state
-//   finish        fields, checkpoint, summary: whatever has ended the run
-//
-// A directory that holds an earlier run is not touched before the new one has
-// its first state, or has failed at it: a case that is refused leaves it as it
-// was. An empty one is opened at once.
-
 #include <base/collective.h>
 #include <base/errors.h>
 
