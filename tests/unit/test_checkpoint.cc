@@ -40,10 +40,15 @@ namespace
   DamageOrigins
   resumed(const DamageOrigins &origins)
   {
+    // tests on other numbers of ranks run at the same time
     const std::string directory =
-      ::testing::TempDir() + "mixed_cracks_checkpoint";
+      ::testing::TempDir() + "mixed_cracks_checkpoint_" +
+      std::to_string(dealii::Utilities::MPI::n_mpi_processes(MPI_COMM_WORLD));
     if (dealii::Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0)
+    {
+      std::filesystem::remove_all(directory);
       std::filesystem::create_directories(directory);
+    }
     MPI_Barrier(MPI_COMM_WORLD);
     RunRecord record;
     record.cell_size = record.next_step = 1.;
