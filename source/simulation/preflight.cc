@@ -54,8 +54,22 @@ namespace MixedCracks
 
 
 
+    // In plane stress the thickness gives way. At small strain lambda is
+    // reduced by that already (M6), at finite strain it is that of three
+    // dimensions.
+    bool
+    cannot_lock(const ModelParameters &model, const int dim)
+    {
+      return model.mixed() ||
+             (model.strain.is_finite() && model.is_plane_stress(dim));
+    }
+
+
+
     std::string
-    locking_in_words(const MaterialRange &given, const bool mixed)
+    locking_in_words(const MaterialRange &given,
+                     const bool           mixed,
+                     const bool           no_locking)
     {
       std::string text =
         given.ratio.varies()
@@ -71,8 +85,10 @@ namespace MixedCracks
         return text + ": compressible enough for either formulation";
       return text + (mixed ? ": nearly incompressible, handled by the mixed "
                              "formulation"
-                           : ": nearly incompressible; the displacement "
-                             "formulation locks");
+                     : no_locking ? ": nearly incompressible; in plane stress "
+                                    "nothing locks"
+                                  : ": nearly incompressible; the displacement "
+                                    "formulation locks");
     }
   } // namespace
 
@@ -168,7 +184,9 @@ namespace MixedCracks
     log.line("load steps: " + parameters.load.steps().in_words());
     if (body.material_field->varies())
       log.line(in_words(body.material_range));
-    log.line(locking_in_words(body.material_range, parameters.model.mixed()));
+    log.line(locking_in_words(body.material_range,
+                              parameters.model.mixed(),
+                              cannot_lock(parameters.model, dim)));
     const std::string solver =
       choose_linear_solver(
         solver_for_stiffness(parameters.solver, body.material->description())
@@ -226,7 +244,7 @@ namespace MixedCracks
         "the effective toughness is too large",
         resolution));
     const double ratio = body.material_range.ratio.largest;
-    if (!model.mixed() && ratio > nearly_incompressible)
+    if (!cannot_lock(model, dim) && ratio > nearly_incompressible)
       found.push_back(
         printed("lambda/mu = %.3g with the displacement formulation: expect "
                 "locking; Model/Formulation = mixed avoids it",

@@ -15,7 +15,8 @@ def rubber(name, pairs, *says, **more):
 
 def law(name, constants, *says, pairs=(), **more):
     """Constants of a law beside K = 1000 MPa."""
-    return rubber("%s, %s" % (name, constants or "no constants"), [
+    more_pairs = ["%s=%s" % pair for pair in pairs]
+    return rubber(", ".join([name, constants or "no constants"] + more_pairs), [
         ("Model/Hyperelastic law", name), (CONSTANTS, constants),
         ("Material/Lame lambda", ""), ("Material/Shear modulus", ""),
         ("Material/Bulk modulus", "1000")] + list(pairs), *says, **more)
