@@ -35,31 +35,37 @@ namespace MixedCracks
 
     /// Mixed formulation. @p g: degradation of the lagged phase field.
     /// Without @p with_tangent, the derivatives are not valid, and it is done
-    /// in half the time.
-    ElasticResponse<dim> mixed(const Gradient       &gradient,
-                               double                pressure,
-                               double                g,
-                               const PointConstants &at,
-                               bool                  with_tangent = true) const;
+    /// in half the time. Sets @p response in place: at small strains copying it
+    /// would take as long as computing it.
+    void mixed(const Gradient       &gradient,
+               double                pressure,
+               double                g,
+               const PointConstants &at,
+               bool                  with_tangent,
+               ElasticResponse<dim> &response) const;
 
     ElasticResponse<dim>
     mixed(const Gradient &gradient, const double pressure, const double g) const
     {
-      return mixed(gradient, pressure, g, uniform_constants());
+      ElasticResponse<dim> response;
+      mixed(gradient, pressure, g, uniform_constants(), true, response);
+      return response;
     }
 
-    /// Displacement formulation: only stress and its derivative by the
-    /// strain or gradient are set,
-    /// the other members are 0.
-    ElasticResponse<dim> eliminated(const Gradient       &gradient,
-                                    double                g,
-                                    const PointConstants &at,
-                                    bool with_tangent = true) const;
+    /// Displacement formulation: only stress and its derivative by the strain
+    /// or gradient are set.
+    void eliminated(const Gradient       &gradient,
+                    double                g,
+                    const PointConstants &at,
+                    bool                  with_tangent,
+                    ElasticResponse<dim> &response) const;
 
     ElasticResponse<dim>
     eliminated(const Gradient &gradient, const double g) const
     {
-      return eliminated(gradient, g, uniform_constants());
+      ElasticResponse<dim> response;
+      eliminated(gradient, g, uniform_constants(), true, response);
+      return response;
     }
 
     /// The p for which the constraint holds at this strain; MPa.

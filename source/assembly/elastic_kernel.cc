@@ -173,15 +173,16 @@ namespace MixedCracks
       return;
     const bool with_tangent = wanted == ElasticEvaluation::tangents;
     for (unsigned int q = 0; q < states.size(); ++q)
-      responses[q] = mixed ? material.mixed(states[q].gradient,
-                                            states[q].pressure,
-                                            states[q].degradation,
-                                            constants[q],
-                                            with_tangent)
-                           : material.eliminated(states[q].gradient,
-                                                 states[q].degradation,
-                                                 constants[q],
-                                                 with_tangent);
+    {
+      const auto &[gradient, pressure, g, regime] = states[q];
+      (void)regime;
+      if (mixed)
+        material.mixed(
+          gradient, pressure, g, constants[q], with_tangent, responses[q]);
+      else
+        material.eliminated(
+          gradient, g, constants[q], with_tangent, responses[q]);
+    }
   }
 
 

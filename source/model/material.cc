@@ -126,19 +126,22 @@ namespace MixedCracks
   // coefficients are constant but for that jump, at p = 0, where stress * p is
   // continuous.
   template <int dim>
-  ElasticResponse<dim>
+  void
   Material<dim>::mixed(const Gradient       &gradient,
                        const double          pressure,
                        const double          g,
                        const PointConstants &at,
-                       const bool            with_tangent) const
+                       const bool            with_tangent,
+                       ElasticResponse<dim> &response) const
   {
     if (finite_strain)
-      return finite_strain->mixed(gradient, pressure, g, at, with_tangent);
+    {
+      response = finite_strain->mixed(gradient, pressure, g, at, with_tangent);
+      return;
+    }
     const SymmetricTensor<2, dim> strain = symmetrize(gradient);
     const PressureCoefficients    law =
       pressure_coefficients(g, is_tension(pressure), at);
-    ElasticResponse<dim> response;
     auto stress = shear_part(response, *split, strain, at.mu, g, with_tangent);
     add_pressure(stress, law.stress * pressure);
     response.stress             = stress;
@@ -147,7 +150,6 @@ namespace MixedCracks
       law.divergence * trace(strain) - law.compliance * pressure;
     response.constraint_by_trace    = law.divergence;
     response.constraint_by_pressure = -law.compliance;
-    return response;
   }
 
 
@@ -159,27 +161,29 @@ namespace MixedCracks
   //
   // lambda where the material is intact.
   template <int dim>
-  ElasticResponse<dim>
+  void
   Material<dim>::eliminated(const Gradient       &gradient,
                             const double          g,
                             const PointConstants &at,
-                            const bool            with_tangent) const
+                            const bool            with_tangent,
+                            ElasticResponse<dim> &response) const
   {
     if (finite_strain)
-      return finite_strain->eliminated(gradient, g, at, with_tangent);
+    {
+      response = finite_strain->eliminated(gradient, g, at, with_tangent);
+      return;
+    }
     const SymmetricTensor<2, dim> strain = symmetrize(gradient);
     // the eliminated pressure has the sign of the trace
     const double volume_change = trace(strain);
     const double bulk_stiffness =
       pressure_coefficients(g, is_tension(volume_change), at)
         .eliminated_stiffness();
-    ElasticResponse<dim> response;
     auto stress = shear_part(response, *split, strain, at.mu, g, with_tangent);
     add_pressure(stress, bulk_stiffness * volume_change);
     response.stress = stress;
     if (with_tangent)
       add_bulk_stiffness(response.stress_by_strain, bulk_stiffness);
-    return response;
   }
 
 
