@@ -56,8 +56,7 @@ namespace MixedCracks
     bool
     covers(const std::string &rule, const std::string &full_name)
     {
-      return full_name == rule ||
-             full_name.compare(0, rule.size() + 1, rule + '/') == 0;
+      return full_name == rule || starts_with(full_name, rule + '/');
     }
 
 
@@ -180,7 +179,7 @@ namespace MixedCracks
     bool
     is_about(const std::string &message, const std::string &name)
     {
-      return message.compare(0, name.size() + 2, name + ": ") == 0;
+      return starts_with(message, name + ": ");
     }
 
 
