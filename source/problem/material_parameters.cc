@@ -21,7 +21,6 @@
 #include <problem/material_field.h>
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
 
 namespace MixedCracks
@@ -56,16 +55,6 @@ namespace MixedCracks
           parts.back() += c;
       }
       return parts;
-    }
-
-    dealii::types::material_id
-    parsed_id(const std::string &text)
-    {
-      const double number = parse_number(text, by_id_name);
-      require(number >= 0. && number <= 1e9 && number == std::floor(number),
-              by_id_name + ": the material id " + in_quotes(text) +
-                " is no integer from 0 to 1000000000.");
-      return static_cast<dealii::types::material_id>(number);
     }
 
     // "name = value, name = value" of the names @p known
@@ -241,7 +230,7 @@ namespace MixedCracks
               by_id_name + ": " + in_quotes(item) +
                 " is not of the form 'id : name = value, ...'.");
       const dealii::types::material_id id =
-        parsed_id(single_spaced(item.substr(0, colon)));
+        read_id(single_spaced(item.substr(0, colon)), "material", by_id_name);
       Texts all =
         parsed_texts(item.substr(colon + 1), known_names(law), by_id_name);
       Texts with_those_above = all;
