@@ -124,9 +124,9 @@ namespace MixedCracks
       if (size > 0.)
         text += (text.empty() ? "" : ", ") + what;
     };
-    add(load.strain, printed("strains of about %.2g", printable(load.strain)));
-    add(load.traction, printed("tractions of %.3g MPa", load.traction));
-    add(load.fluid, printed("a fluid pressure of %.3g MPa", load.fluid));
+    add(load.strain, format("strains of about %.2g", printable(load.strain)));
+    add(load.traction, format("tractions of %.3g MPa", load.traction));
+    add(load.fluid, format("a fluid pressure of %.3g MPa", load.fluid));
     return text;
   }
 

@@ -44,8 +44,8 @@ namespace MixedCracks
     in_words(const Range &range)
     {
       return !range.varies()
-               ? printed("%.4g", range.smallest)
-               : printed("%.4g to %.4g", range.smallest, range.largest);
+               ? format("%.4g", range.smallest)
+               : format("%.4g to %.4g", range.smallest, range.largest);
     }
   } // namespace
 

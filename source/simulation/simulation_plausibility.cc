@@ -70,8 +70,8 @@ namespace MixedCracks
     {
       const double smallest = printable(range.smallest);
       const double largest  = printable(range.largest);
-      return !range.varies() ? printed("%.3g", smallest)
-                             : printed("%.3g to %.3g", smallest, largest);
+      return !range.varies() ? format("%.3g", smallest)
+                             : format("%.3g to %.3g", smallest, largest);
     }
 
     // without a fluid, which acts in cracks only
@@ -151,13 +151,13 @@ namespace MixedCracks
       RubberBar(rubber).stretch_of_decline(rubber.largest_stretch);
     if (!declines)
       return "";
-    return printed("the nominal stress of a bar of this %s law declines from "
-                   "the stretch %.3g on, within Model/Largest stretch = %.4g: "
-                   "a body under dead loads may neck there; check "
-                   "Material/Hyperelastic constants",
-                   rubber.hyperelastic_law.c_str(),
-                   *declines,
-                   rubber.largest_stretch);
+    return format("the nominal stress of a bar of this %s law declines from "
+                  "the stretch %.3g on, within Model/Largest stretch = %.4g: "
+                  "a body under dead loads may neck there; check "
+                  "Material/Hyperelastic constants",
+                  rubber.hyperelastic_law.c_str(),
+                  *declines,
+                  rubber.largest_stretch);
   }
 
 
@@ -166,16 +166,16 @@ namespace MixedCracks
   in_words(const ImpliedStrength &strength)
   {
     if (strength.stretch_of_use)
-      return printed("strength of an even bar with %s at finite strain: a "
-                     "nominal stress of ",
-                     strength.crack_density.c_str()) +
+      return format("strength of an even bar with %s at finite strain: a "
+                    "nominal stress of ",
+                    strength.crack_density.c_str()) +
              in_words(strength.stress) +
-             printed(" MPa, at the stretch %.3g",
-                     printable(1. + strength.strain.largest));
-    return printed("strength of an even bar with %s: sigma_c = %.3g "
-                   "sqrt(E G_c/l) = ",
-                   strength.crack_density.c_str(),
-                   strength.factor) +
+             format(" MPa, at the stretch %.3g",
+                    printable(1. + strength.strain.largest));
+    return format("strength of an even bar with %s: sigma_c = %.3g "
+                  "sqrt(E G_c/l) = ",
+                  strength.crack_density.c_str(),
+                  strength.factor) +
            in_words(strength.stress) + " MPa, at a strain of " +
            in_words(strength.strain);
   }
@@ -224,18 +224,18 @@ namespace MixedCracks
     {
       if (scales.length_scale > widest_length_scale * scales.width)
         warnings.push_back(
-          printed("l = %.4g mm in a body %.4g mm wide: one crack damages the "
-                  "whole of it; Model/Length scale shall be small against the "
-                  "body",
-                  scales.length_scale,
-                  scales.width));
+          format("l = %.4g mm in a body %.4g mm wide: one crack damages the "
+                 "whole of it; Model/Length scale shall be small against the "
+                 "body",
+                 scales.length_scale,
+                 scales.width));
       const double resolution = scales.length_scale / scales.cell_size;
       if (resolution > finest_resolution)
         warnings.push_back(
-          printed("l/h = %.4g: 4 to 10 cells resolve a crack; is Model/Length "
-                  "scale = %.4g mm meant?",
-                  printable(resolution),
-                  scales.length_scale));
+          format("l/h = %.4g: 4 to 10 cells resolve a crack; is Model/Length "
+                 "scale = %.4g mm meant?",
+                 printable(resolution),
+                 scales.length_scale));
     }
 
 
@@ -256,9 +256,9 @@ namespace MixedCracks
       warnings.push_back(
         in_words(strength) +
         (strength.stretch_of_use
-           ? printed(", beyond Model/Largest stretch = %.4g, from where on the "
-                     "law goes on as neo-Hooke",
-                     *strength.stretch_of_use)
+           ? format(", beyond Model/Largest stretch = %.4g, from where on the "
+                    "law goes on as neo-Hooke",
+                    *strength.stretch_of_use)
            : std::string(", far beyond small strains; check Critical energy "
                          "release rate, moduli and Length scale")));
     }
@@ -277,10 +277,10 @@ namespace MixedCracks
         return;
       warnings.push_back(
         in_words(at_once ? scales.first : scales.largest) +
-        (at_once ? printed(" after one onset step of %.4g s", scales.onset_step)
+        (at_once ? format(" after one onset step of %.4g s", scales.onset_step)
                  : std::string(" until the end time")) +
-        printed(" are %.3g times what the material bears (",
-                printable(at_once ? first : most)) +
+        format(" are %.3g times what the material bears (",
+               printable(at_once ? first : most)) +
         in_words(scales.strength) +
         "): the body breaks as a whole; check Critical energy release rate, "
         "moduli, Length scale and units (N/mm, MPa, mm)");
@@ -304,8 +304,8 @@ namespace MixedCracks
     const double fluid = scales.largest.fluid / strength.stress.largest;
     if (fluid > largest_fluid_pressure)
       warnings.push_back(
-        printed("Fluid/Pressure reaches %.3g times the strength (",
-                printable(fluid)) +
+        format("Fluid/Pressure reaches %.3g times the strength (",
+               printable(fluid)) +
         in_words(strength) +
         "): material breaks all around a crack that it acts in");
     return warnings;
@@ -324,8 +324,8 @@ namespace MixedCracks
     if (!scales.largest.is_known || most == 0. || !(most < far_too_small))
       return "";
     return in_words(scales.largest) +
-           printed(" until the end time are %.2g of that: nothing will break",
-                   most);
+           format(" until the end time are %.2g of that: nothing will break",
+                  most);
   }
 
 
@@ -353,20 +353,20 @@ namespace MixedCracks
     const auto step    = static_cast<unsigned int>(found - shares.begin());
     const int  percent = static_cast<int>(std::round(100. * *found));
     if (step == 0)
-      return printed("damage fills %d %% of the body in step 0, before it is "
-                     "loaded further: Model/Length scale = %.4g mm is too "
-                     "large for it, or it is broken by Initial cracks or by "
-                     "what is applied at t = 0",
-                     percent,
-                     length_scale);
-    return printed("damage fills %d %% of the body after step %u, %d %% "
-                   "before it: the body broke as a whole, not along cracks; "
-                   "Model/Length scale = %.4g mm is too large for it, or "
-                   "Critical energy release rate too small",
-                   percent,
-                   step,
-                   static_cast<int>(std::round(100. * *(found - 1))),
-                   length_scale);
+      return format("damage fills %d %% of the body in step 0, before it is "
+                    "loaded further: Model/Length scale = %.4g mm is too "
+                    "large for it, or it is broken by Initial cracks or by "
+                    "what is applied at t = 0",
+                    percent,
+                    length_scale);
+    return format("damage fills %d %% of the body after step %u, %d %% "
+                  "before it: the body broke as a whole, not along cracks; "
+                  "Model/Length scale = %.4g mm is too large for it, or "
+                  "Critical energy release rate too small",
+                  percent,
+                  step,
+                  static_cast<int>(std::round(100. * *(found - 1))),
+                  length_scale);
   }
 
 
