@@ -29,11 +29,11 @@ namespace MixedCracks
                                    double               length_scale);
 
   /// Of rubber that is the same everywhere: nominal stress of an
-  /// incompressible bar. @p toughness: G_c, N/mm; @p length_scale: mm.
+  /// incompressible bar. G_c in N/mm; @p length_scale: mm.
   ImpliedStrength implied_strength(const std::string         &crack_density,
                                    const MaterialDescription &rubber,
-                                   double                     toughness,
-                                   double                     length_scale);
+                                   double critical_energy_release_rate,
+                                   double length_scale);
 
   /// Whether the nominal stress of a bar falls before its stretch of use: a
   /// sentence, or "".

@@ -37,7 +37,8 @@ namespace MixedCracks
                                                     "Young's modulus",
                                                     "Poisson ratio",
                                                     "Bulk modulus"};
-    const std::string toughness_name = "Critical energy release rate";
+    const std::string              critical_energy_release_rate_name =
+      "Critical energy release rate";
 
     // Parts between commas that are not inside of parentheses: those separate
     // the arguments of functions.
@@ -106,7 +107,7 @@ namespace MixedCracks
     {
       std::vector<std::string> names = elastic_names;
       names.insert(names.end(), law.names().begin(), law.names().end());
-      names.push_back(toughness_name);
+      names.push_back(critical_energy_release_rate_name);
       return names;
     }
 
@@ -207,7 +208,7 @@ namespace MixedCracks
     for (std::size_t i = 0; i < elastic_names.size(); ++i)
       if (!values[i]->empty())
         result[elastic_names[i]] = *values[i];
-    result[toughness_name] = critical_energy_release_rate;
+    result[critical_energy_release_rate_name] = critical_energy_release_rate;
     if (strains().is_finite() && !hyperelastic_constants.empty())
       result.merge(parsed_texts(hyperelastic_constants,
                                 LawConstants(strains()).names(),

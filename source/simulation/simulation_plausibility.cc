@@ -107,7 +107,7 @@ namespace MixedCracks
     };
     const Range  E{modulus(material.lambda.smallest, material.mu.smallest),
                   modulus(material.lambda.largest, material.mu.largest)};
-    const Range &G_c    = material.toughness;
+    const Range &G_c    = material.critical_energy_release_rate;
     const auto   stress = [&](const double E, const double G_c) {
       return relative.stress * std::sqrt(E) * std::sqrt(G_c / length_scale);
     };
@@ -125,13 +125,13 @@ namespace MixedCracks
   ImpliedStrength
   implied_strength(const std::string         &crack_density,
                    const MaterialDescription &rubber,
-                   const double               toughness,
+                   const double               critical_energy_release_rate,
                    const double               length_scale)
   {
     const RubberStrength strength =
       rubber_strength(RubberBar(rubber),
                       *all_crack_densities().make(crack_density),
-                      toughness / length_scale);
+                      critical_energy_release_rate / length_scale);
     const double strain = strength.stretch - 1.;
     return {crack_density,
             0.,

@@ -21,9 +21,9 @@ namespace
   sound_case()
   {
     MaterialRange steel{};
-    steel.lambda    = {121153.8, 121153.8};
-    steel.mu        = {80769.2, 80769.2}; // E = 210000
-    steel.toughness = {2.7, 2.7};
+    steel.lambda                       = {121153.8, 121153.8};
+    steel.mu                           = {80769.2, 80769.2}; // E = 210000
+    steel.critical_energy_release_rate = {2.7, 2.7};
     CaseScales scales;
     scales.length_scale   = 0.02;
     scales.cell_size      = 0.01;
@@ -71,10 +71,10 @@ TEST(Strength, OfTheMaterialIsAsWideAsItsConstants)
               1.);
   EXPECT_FALSE(scales.strength.stress.varies());
   MaterialRange varied{};
-  varied.lambda                  = {0., 0.}; // E = 2 mu
-  varied.mu                      = {50., 200.};
-  varied.toughness               = {1., 4.};
-  const ImpliedStrength strength = implied_strength("AT1", varied, 1.);
+  varied.lambda                       = {0., 0.}; // E = 2 mu
+  varied.mu                           = {50., 200.};
+  varied.critical_energy_release_rate = {1., 4.};
+  const ImpliedStrength strength      = implied_strength("AT1", varied, 1.);
   EXPECT_NEAR(strength.stress.smallest, std::sqrt(3. / 8. * 100.), 1e-3);
   EXPECT_NEAR(strength.stress.largest, std::sqrt(3. / 8. * 1600.), 1e-3);
   EXPECT_NEAR(strength.strain.smallest, std::sqrt(3. / 8. / 400.), 1e-3);
@@ -176,7 +176,7 @@ TEST(Plausibility, NoSentenceNamesANumberThatHasOverflown)
   MaterialRange stiff{};
   stiff.lambda                       = {1e300, 1e300};
   stiff.mu                           = {1e300, 1e300};
-  stiff.toughness                    = {1e300, 1e300};
+  stiff.critical_energy_release_rate = {1e300, 1e300};
   CaseScales scales                  = sound_case();
   scales.strength                    = implied_strength("Wu", stiff, 1e-300);
   scales.length_scale                = 1e300;
