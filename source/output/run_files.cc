@@ -16,6 +16,7 @@
 #include <output/checkpoint_seal.h>
 #include <output/disk.h>
 #include <output/run_files.h>
+#include <output/small_file.h>
 
 #include <algorithm>
 #include <filesystem>
@@ -92,9 +93,7 @@ namespace MixedCracks
         return true;
       const std::string path = (fs::path(directory) / run_files_name).string();
       remove_cut_line(path);
-      std::ofstream file(path, std::ios::app);
-      file << text << std::flush;
-      return static_cast<bool>(file);
+      return append_to_file(path, text).empty();
     }
 
     // of names those that are not in the list
