@@ -134,7 +134,9 @@ namespace MixedCracks
 
 
 
-    // the default of an empty Load stepping/Force boundary
+    // The default of an empty Load stepping/Force boundary, as
+    // Parameters::force_boundary() has it; out of the text, since checkpoints
+    // hold entries as they were written, those of older versions, too.
     std::string
     first_moved_boundary(const std::string &displacement)
     {
