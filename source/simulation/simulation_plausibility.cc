@@ -210,8 +210,8 @@ namespace MixedCracks
       scales.largest.strain   = std::max(scales.largest.strain, now.strain);
       scales.largest.traction = std::max(scales.largest.traction, now.traction);
       scales.largest.fluid    = std::max(scales.largest.fluid, now.fluid);
+      scales.largest.is_known = scales.largest.is_known && now.is_known;
     }
-    scales.largest.is_known = scales.first.is_known;
     return scales;
   }
 

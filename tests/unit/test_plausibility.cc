@@ -155,6 +155,32 @@ TEST(Plausibility, ABodyThatWillNotBreakIsRemarkedOnOnly)
 
 
 
+// an expression needs no value outside of its boundary
+TEST(Plausibility, ALoadIsKnownWhereItHasAValueAnywhere)
+{
+  const auto size = [](const std::string &displacement,
+                       const std::string &traction) {
+    Parameters<2>            parameters;
+    dealii::ParameterHandler prm;
+    parameters.add_parameters(prm);
+    prm.enter_subsection("Boundary conditions");
+    prm.set("Displacement", displacement);
+    prm.set("Traction", traction);
+    prm.leave_subsection();
+    const dealii::BoundingBox<2> body({{0., 0.}, {4., 1.}});
+    return load_size(parameters, body, /*time=*/1.);
+  };
+  const LoadSize partly = size("top : y : t*sqrt(x-1)", "left : x : 3");
+  EXPECT_TRUE(partly.is_known);
+  EXPECT_NEAR(partly.strain, std::sqrt(3.) / 4., 1e-14);
+  EXPECT_EQ(partly.traction, 3.);
+  const LoadSize nowhere = size("top : y : t*sqrt(x-1)", "left : x : 1/(1-t)");
+  EXPECT_FALSE(nowhere.is_known);
+  EXPECT_EQ(nowhere.traction, 0.);
+}
+
+
+
 TEST(Plausibility, DamageOfTheWholeBodyIsThatOfTheFirstStepWithIt)
 {
   const auto density = all_crack_densities().make("AT1");
