@@ -29,6 +29,20 @@ namespace MixedCracks
       return constants;
     }
 
+    /// Nominal stresses of these laws, incompressible, in uniaxial, planar and
+    /// equibiaxial tension at the stretch 2; MPa.
+    inline const std::map<std::string, std::vector<double>> &
+    nominal_stresses()
+    {
+      static const std::map<std::string, std::vector<double>> stresses = {
+        {"neo-Hooke", {1.75, 1.875, 1.96875}},
+        {"Mooney-Rivlin", {1.575, 1.875, 3.15}},
+        {"Gent", {1.875, 2.027027, 2.368421}},
+        {"Yeoh", {1.554, 1.651406, 1.776889}},
+        {"Ogden", {0.6027216, 0.6856225, 0.8216148}}};
+      return stresses;
+    }
+
     /// F = I + H with entries of H up to @p size, det F > 0.1; of the plane:
     /// with F_13 = F_23 = F_31 = F_32 = 0.
     inline std::vector<dealii::Tensor<2, 3>>
