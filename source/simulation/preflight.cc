@@ -280,14 +280,14 @@ namespace MixedCracks
   ImpliedStrength
   Preflight<dim>::strength() const
   {
-    const std::string &density = body.parameters.model.crack_density;
+    const MaterialDescription &material = body.material->description();
     if (!is_even_rubber())
-      return implied_strength(
-        density, body.material_range, body.length_scale());
-    const MaterialDescription &rubber = body.material->description();
-    return implied_strength(density,
-                            rubber,
-                            rubber.constants->critical_energy_release_rate,
+      return implied_strength(material.crack_density,
+                              material.degradation,
+                              body.material_range,
+                              body.length_scale());
+    return implied_strength(material,
+                            material.constants->critical_energy_release_rate,
                             body.length_scale());
   }
 
@@ -301,12 +301,11 @@ namespace MixedCracks
     const std::string too_many_steps = body.parameters.load.warning();
     if (!too_many_steps.empty())
       found.push_back(too_many_steps);
-    CaseScales scales = case_scales(body.parameters,
-                                    coarse_extent(body.triangulation),
-                                    body.material_range,
-                                    body.length_scale(),
-                                    body.cell_size_at_cracks());
-    scales.strength   = strength();
+    const CaseScales scales = case_scales(body.parameters,
+                                          coarse_extent(body.triangulation),
+                                          strength(),
+                                          body.length_scale(),
+                                          body.cell_size_at_cracks());
     if (is_even_rubber())
     {
       const std::string decline =

@@ -4,8 +4,9 @@
 //
 //   sigma_c = c sqrt(E G_c/l)   (MPa),    eps_c = e sqrt(G_c/(l E)),
 //
-// c = 0.612 AT1, 0.325 AT2, 0.798 Wu. With U the largest prescribed
-// displacement and L the largest extent of the body, a load is measured by
+// c = 0.612 AT1, 0.325 AT2, 0.798 Wu with g = phi^2. With U the largest
+// prescribed displacement and L the largest extent of the body, a load is
+// measured by
 //
 //   max( (U/L)/eps_c, tau/sigma_c ),     a fluid by  p_f/sigma_c.
 //
@@ -96,11 +97,13 @@ namespace MixedCracks
 
   ImpliedStrength
   implied_strength(const std::string   &crack_density,
+                   const std::string   &degradation,
                    const MaterialRange &material,
                    const double         length_scale)
   {
     const Strength relative =
-      relative_strength(*all_crack_densities().make(crack_density));
+      relative_strength(*all_crack_densities().make(crack_density),
+                        *all_degradations().make(degradation, /*kappa=*/0.));
     const auto modulus = [](const double lambda, const double mu) {
       // the larger numbers last, whose product may overflow
       return mu / (lambda + mu) * (3. * lambda + 2. * mu);
@@ -123,17 +126,17 @@ namespace MixedCracks
 
 
   ImpliedStrength
-  implied_strength(const std::string         &crack_density,
-                   const MaterialDescription &rubber,
+  implied_strength(const MaterialDescription &rubber,
                    const double               critical_energy_release_rate,
                    const double               length_scale)
   {
-    const RubberStrength strength =
-      rubber_strength(RubberBar(rubber),
-                      *all_crack_densities().make(crack_density),
-                      critical_energy_release_rate / length_scale);
+    const RubberStrength strength = rubber_strength(
+      RubberBar(rubber),
+      *all_crack_densities().make(rubber.crack_density),
+      *all_degradations().make(rubber.degradation, /*kappa=*/0.),
+      critical_energy_release_rate / length_scale);
     const double strain = strength.stretch - 1.;
-    return {crack_density,
+    return {rubber.crack_density,
             0.,
             {strength.stress, strength.stress},
             {strain, strain},
@@ -186,7 +189,7 @@ namespace MixedCracks
   CaseScales
   case_scales(const Parameters<dim>  &parameters,
               const BoundingBox<dim> &body,
-              const MaterialRange    &material,
+              const ImpliedStrength  &strength,
               const double            length_scale,
               const double            cell_size)
   {
@@ -197,9 +200,8 @@ namespace MixedCracks
     for (unsigned int d = 0; d < dim; ++d)
       extents.push_back(body.side_length(d));
     std::sort(extents.begin(), extents.end());
-    scales.width = extents[dim - 2];
-    scales.strength =
-      implied_strength(parameters.model.crack_density, material, length_scale);
+    scales.width               = extents[dim - 2];
+    scales.strength            = strength;
     const LoadParameters &load = parameters.load;
     scales.onset_step          = load.onset_step;
     scales.first               = load_size(parameters, body, load.onset_step);
@@ -374,7 +376,7 @@ namespace MixedCracks
 #define INSTANTIATE(dim)                                    \
   template CaseScales case_scales(const Parameters<dim> &,  \
                                   const BoundingBox<dim> &, \
-                                  const MaterialRange &,    \
+                                  const ImpliedStrength &,  \
                                   double,                   \
                                   double);
   INSTANTIATE(2)

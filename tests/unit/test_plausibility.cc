@@ -28,7 +28,7 @@ namespace
     scales.length_scale   = 0.02;
     scales.cell_size      = 0.01;
     scales.width          = 1.;
-    scales.strength       = implied_strength("AT1", steel, 0.02);
+    scales.strength       = implied_strength("AT1", "quadratic", steel, 0.02);
     scales.onset_step     = 1e-3;
     scales.first.strain   = 1e-5;
     scales.largest.strain = 1e-2;
@@ -51,7 +51,8 @@ namespace
 TEST(Strength, IsThatOfTheClosedFormulas)
 {
   const auto strength = [](const std::string &name) {
-    return relative_strength(*all_crack_densities().make(name));
+    return relative_strength(*all_crack_densities().make(name),
+                             *all_degradations().make("quadratic", 0.));
   };
   EXPECT_NEAR(strength("AT1").stress, std::sqrt(3. / 8.), 1e-6);
   EXPECT_NEAR(strength("AT1").strain, std::sqrt(3. / 8.), 1e-3);
@@ -74,7 +75,8 @@ TEST(Strength, OfTheMaterialIsAsWideAsItsConstants)
   varied.lambda                       = {0., 0.}; // E = 2 mu
   varied.mu                           = {50., 200.};
   varied.critical_energy_release_rate = {1., 4.};
-  const ImpliedStrength strength      = implied_strength("AT1", varied, 1.);
+  const ImpliedStrength strength =
+    implied_strength("AT1", "quadratic", varied, 1.);
   EXPECT_NEAR(strength.stress.smallest, std::sqrt(3. / 8. * 100.), 1e-3);
   EXPECT_NEAR(strength.stress.largest, std::sqrt(3. / 8. * 1600.), 1e-3);
   EXPECT_NEAR(strength.strain.smallest, std::sqrt(3. / 8. / 400.), 1e-3);
@@ -204,13 +206,13 @@ TEST(Plausibility, NoSentenceNamesANumberThatHasOverflown)
   stiff.mu                           = {1e300, 1e300};
   stiff.critical_energy_release_rate = {1e300, 1e300};
   CaseScales scales                  = sound_case();
-  scales.strength                    = implied_strength("Wu", stiff, 1e-300);
-  scales.length_scale                = 1e300;
-  scales.cell_size                   = 1e-300;
-  scales.largest.strain              = std::numeric_limits<double>::infinity();
+  scales.strength       = implied_strength("Wu", "quadratic", stiff, 1e-300);
+  scales.length_scale   = 1e300;
+  scales.cell_size      = 1e-300;
+  scales.largest.strain = std::numeric_limits<double>::infinity();
   std::vector<std::string> sentences = warnings_about(scales);
   sentences.push_back(in_words(scales.strength));
-  scales.strength = implied_strength("Wu", stiff, 1.);
+  scales.strength = implied_strength("Wu", "quadratic", stiff, 1.);
   EXPECT_TRUE(std::isfinite(scales.strength.stress.largest));
   sentences.push_back(in_words(scales.strength));
   for (const char *const nonsense : {"inf", "nan"})
