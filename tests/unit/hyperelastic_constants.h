@@ -9,6 +9,7 @@
 #include <cmath>
 #include <map>
 #include <random>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -146,6 +147,8 @@ namespace MixedCracks
       if (law == "Gent")
         return -0.5 * c[0] * c[1] * std::log(Active(1. - x / c[1])) -
                c[0] * log;
+      if (law != "Ogden")
+        throw std::invalid_argument("no formula of " + law);
       Active sum = 0.;
       for (const Active &square : d.squared_stretches(F))
         for (int i = 0; i < 6; i += 2)

@@ -88,6 +88,18 @@ namespace
 
 
 
+// else none of the tests would see it
+TEST(HyperelasticLaw, EveryOneHasConstantsToBeTestedWith)
+{
+  for (const std::string &name : all_hyperelastic_laws().names())
+  {
+    EXPECT_EQ(rubber_constants().count(name), 1u) << name;
+    EXPECT_EQ(nominal_stresses().count(name), 1u) << name;
+  }
+}
+
+
+
 // the form does not matter where J = 1
 TEST(HyperelasticLaw, MeetsTheNominalStressesOfHomogeneousStates)
 {
