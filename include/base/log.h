@@ -8,7 +8,7 @@
 namespace MixedCracks
 {
   /// printf into a string.
-  std::string printed(const char *format, ...)
+  std::string format(const char *text, ...)
     __attribute__((format(printf, 1, 2)));
 
   /// What a run says: on the screen and, once open() was called, in a file.

@@ -23,6 +23,12 @@ namespace MixedCracks
     return std::isdigit(static_cast<unsigned char>(c)) != 0;
   }
 
+  inline bool
+  starts_with(const std::string &text, const std::string &beginning)
+  {
+    return text.compare(0, beginning.size(), beginning) == 0;
+  }
+
   /// The parts of @p text between separators, without blanks around them and
   /// without empty parts.
   std::vector<std::string> split_list(const std::string &text, char separator);

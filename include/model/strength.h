@@ -3,6 +3,7 @@
 #define mixed_cracks_model_strength_h
 
 #include <model/crack_density.h>
+#include <model/degradation.h>
 
 namespace MixedCracks
 {
@@ -14,12 +15,12 @@ namespace MixedCracks
     double strain; ///< epsilon_c over sqrt(G_c / (E l))
   };
 
-  /// Where phi is the same everywhere and g = phi^2 (the quadratic degradation,
-  /// kappa = 0), the phase-field equation g'/2 E eps^2 = -a'(phi) G_c / l gives
-  /// the stress phi^2 E eps = sqrt(-a'(phi) phi^3 E G_c / l), whose largest
-  /// value over 0 <= phi <= 1 this is: sqrt(3/8) for AT1, sqrt(27/256) for AT2,
-  /// sqrt(2/pi) for Wu.
-  Strength relative_strength(const CrackDensity &density);
+  /// Where phi is the same everywhere the phase-field equation g'/2 E eps^2 =
+  /// -a'(phi) G_c / l gives the stress g E eps, whose largest value over 0 <=
+  /// phi <= 1 this is; with g = phi^2: sqrt(3/8) for AT1, sqrt(27/256) for AT2,
+  /// sqrt(2/pi) for Wu. @p degradation: of kappa = 0.
+  Strength relative_strength(const CrackDensity &density,
+                             const Degradation  &degradation);
 } // namespace MixedCracks
 
 #endif

@@ -47,6 +47,9 @@ namespace MixedCracks
   /// Of a generation; format 0 when there is none, or nonsense.
   Seal read_seal(const std::string &directory);
 
+  /// What deal.II and p4est may write into a generation, in order of names.
+  const std::vector<std::string> &names_of_libraries();
+
   /// Describe the files of the libraries in a generation, in order of names.
   std::vector<FileOnDisk> files_of_libraries(const std::string &directory);
 

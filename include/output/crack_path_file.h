@@ -52,14 +52,10 @@ namespace MixedCracks
     using Cracks = std::vector<Crack>;
 
     bool        differs(const std::vector<Crack> &cracks) const;
-    std::string append(const std::string &text) const;
     std::string write_vtp(unsigned int              step,
                           const std::vector<Crack> &cracks) const;
-    std::string replace(const std::string &name,
-                        const std::string &content) const;
     std::string write_table_and_list() const;
     std::string write_pvd() const;
-    std::string failure(const std::string &name) const;
     void        take_row(const std::vector<std::string> &columns);
     std::string restore_vtp() const;
 

@@ -55,7 +55,7 @@ namespace MixedCracks
     /// Of a law with constants of its own; @p values: by name.
     MaterialValues compute_of_law(GivenElasticConstants                given,
                                   const std::map<std::string, double> &values,
-                                  double toughness) const;
+                                  double critical_energy_release_rate) const;
 
     /// Lame's pair; messages name the material id.
     ElasticConstants elastic_pair(const GivenElasticConstants &given) const;

@@ -3,6 +3,7 @@
 #define mixed_cracks_simulation_rubber_bar_h
 
 #include <model/crack_density.h>
+#include <model/degradation.h>
 #include <model/finite_strain.h>
 
 #include <optional>
@@ -44,9 +45,11 @@ namespace MixedCracks
   };
 
   /// As relative_strength(), for any law: phi is the same everywhere, and
-  /// 2 phi W(s) = -a'(phi) G_c/l. @p energy: G_c/l, MPa.
+  /// g'(phi) W(s) = -a'(phi) G_c/l. @p degradation: of kappa = 0; @p energy:
+  /// G_c/l, MPa.
   RubberStrength rubber_strength(const RubberBar    &bar,
                                  const CrackDensity &density,
+                                 const Degradation  &degradation,
                                  double              energy);
 } // namespace MixedCracks
 

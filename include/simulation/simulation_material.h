@@ -27,11 +27,11 @@ namespace MixedCracks
   /// The constants as given, over the quadrature points of the mesh.
   struct MaterialRange
   {
-    Range lambda;    ///< three-dimensional, MPa
-    Range mu;        ///< MPa
-    Range ratio;     ///< lambda/mu
-    Range nu;        ///< Poisson ratio
-    Range toughness; ///< G_c, N/mm
+    Range lambda;                       ///< three-dimensional, MPa
+    Range mu;                           ///< MPa
+    Range ratio;                        ///< lambda/mu
+    Range nu;                           ///< Poisson ratio
+    Range critical_energy_release_rate; ///< G_c, N/mm
   };
 
   /// Read the map, if there is one, and compare material ids with those of the

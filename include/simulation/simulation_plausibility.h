@@ -25,15 +25,15 @@ namespace MixedCracks
   /// Extremes of constants that vary need not meet at a point: the ranges are
   /// as wide as they can be.
   ImpliedStrength implied_strength(const std::string   &crack_density,
+                                   const std::string   &degradation,
                                    const MaterialRange &material,
                                    double               length_scale);
 
   /// Of rubber that is the same everywhere: nominal stress of an
-  /// incompressible bar. @p toughness: G_c, N/mm; @p length_scale: mm.
-  ImpliedStrength implied_strength(const std::string         &crack_density,
-                                   const MaterialDescription &rubber,
-                                   double                     toughness,
-                                   double                     length_scale);
+  /// incompressible bar. G_c in N/mm; @p length_scale: mm.
+  ImpliedStrength implied_strength(const MaterialDescription &rubber,
+                                   double critical_energy_release_rate,
+                                   double length_scale);
 
   /// Whether the nominal stress of a bar falls before its stretch of use: a
   /// sentence, or "".
@@ -59,7 +59,7 @@ namespace MixedCracks
   template <int dim>
   CaseScales case_scales(const Parameters<dim>          &parameters,
                          const dealii::BoundingBox<dim> &body,
-                         const MaterialRange            &material,
+                         const ImpliedStrength          &strength,
                          double                          length_scale,
                          double                          cell_size);
 

@@ -15,17 +15,17 @@
 namespace MixedCracks
 {
   std::string
-  printed(const char *format, ...)
+  format(const char *text, ...)
   {
     va_list arguments;
-    va_start(arguments, format);
-    const int size = std::vsnprintf(nullptr, 0, format, arguments);
+    va_start(arguments, text);
+    const int size = std::vsnprintf(nullptr, 0, text, arguments);
     va_end(arguments);
-    std::vector<char> text(static_cast<std::size_t>(size) + 1);
-    va_start(arguments, format);
-    std::vsnprintf(text.data(), text.size(), format, arguments);
+    std::vector<char> result(static_cast<std::size_t>(size) + 1);
+    va_start(arguments, text);
+    std::vsnprintf(result.data(), result.size(), text, arguments);
     va_end(arguments);
-    return text.data();
+    return result.data();
   }
 
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include <base/single_process.h>
+#include <base/text.h>
 
 #include <unistd.h>
 
@@ -12,12 +13,6 @@ namespace MixedCracks
   {
     // settings that make sense with the daemon of a singleton, too
     constexpr std::size_t n_with_daemon = 3;
-
-    bool
-    begins_with(const std::string &text, const std::string &begin)
-    {
-      return text.compare(0, begin.size(), begin) == 0;
-    }
   } // namespace
 
 
@@ -62,7 +57,7 @@ namespace MixedCracks
       environment.begin(), environment.end(), [](const std::string &variable) {
         return std::any_of(
           beginnings.begin(), beginnings.end(), [&](const std::string &begin) {
-            return begins_with(variable, begin);
+            return starts_with(variable, begin);
           });
       });
   }
@@ -93,7 +88,7 @@ namespace MixedCracks
       return std::any_of(environment.begin(),
                          environment.end(),
                          [&](const std::string &variable) {
-                           return begins_with(variable, name + "=");
+                           return starts_with(variable, name + "=");
                          });
     };
     // who wants the daemon has its directory

@@ -56,7 +56,7 @@ namespace MixedCracks
   {
     std::string text;
     for (unsigned int d = 0; d < dim; ++d)
-      text += printed(d == 0 ? "(%.6g" : ", %.6g", point[d]);
+      text += format(d == 0 ? "(%.6g" : ", %.6g", point[d]);
     return text + ")";
   }
 

@@ -56,8 +56,7 @@ namespace MixedCracks
     bool
     covers(const std::string &rule, const std::string &full_name)
     {
-      return full_name == rule ||
-             full_name.compare(0, rule.size() + 1, rule + '/') == 0;
+      return full_name == rule || starts_with(full_name, rule + '/');
     }
 
 
@@ -135,7 +134,9 @@ namespace MixedCracks
 
 
 
-    // the default of an empty Load stepping/Force boundary
+    // The default of an empty Load stepping/Force boundary, as
+    // Parameters::force_boundary() has it; out of the text, since checkpoints
+    // hold entries as they were written, those of older versions, too.
     std::string
     first_moved_boundary(const std::string &displacement)
     {
@@ -180,7 +181,7 @@ namespace MixedCracks
     bool
     is_about(const std::string &message, const std::string &name)
     {
-      return message.compare(0, name.size() + 2, name + ": ") == 0;
+      return starts_with(message, name + ": ");
     }
 
 

@@ -34,7 +34,7 @@ namespace MixedCracks
     bool
     is_option(const std::string &argument)
     {
-      return argument.compare(0, 1, "-") == 0;
+      return starts_with(argument, "-");
     }
 
     // Goes through the arguments one by one.
@@ -154,7 +154,7 @@ namespace MixedCracks
       if (attached)
         value = *attached;
       else if (position + 1 < arguments.size() &&
-               arguments[position + 1].compare(0, 2, "--") != 0)
+               !starts_with(arguments[position + 1], "--"))
         value = arguments[++position];
       if (value.empty())
         throw InputError(name + " needs a value: " + what + ".");

@@ -5,6 +5,7 @@
 // three.
 
 #include <base/errors.h>
+#include <base/finite_text.h>
 #include <base/names.h>
 
 #include <input/parameter_manual.h>
@@ -12,7 +13,6 @@
 #include <input/pattern_words.h>
 
 #include <algorithm>
-#include <cstdio>
 #include <sstream>
 
 namespace MixedCracks
@@ -91,26 +91,6 @@ namespace MixedCracks
             << (entry.value.empty() ? "" : " ") << entry.value << '\n';
       }
       change_subsection(out, open, {});
-    }
-
-    // A JSON string with its quotes.
-    std::string
-    json_string(const std::string &text)
-    {
-      std::string result = "\"";
-      for (const char c : text)
-        if (c == '"' || c == '\\')
-          result += std::string("\\") + c;
-        else if (static_cast<unsigned char>(c) < 32)
-        {
-          char code[7];
-          std::snprintf(
-            code, sizeof(code), "\\u%04x", static_cast<unsigned int>(c));
-          result += code;
-        }
-        else
-          result += c;
-      return result + "\"";
     }
 
     void

@@ -76,7 +76,7 @@ namespace MixedCracks
           }))
         throw InputError(what + " is not a text file: it holds bytes that no "
                                 "text has.");
-      if (text.compare(0, 3, "\xEF\xBB\xBF") == 0) // byte order mark
+      if (starts_with(text, "\xEF\xBB\xBF")) // byte order mark
         text.erase(0, 3);
       if (std::all_of(text.begin(), text.end(), [](const unsigned char c) {
             return std::isspace(c) != 0;

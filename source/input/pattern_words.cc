@@ -14,12 +14,6 @@ namespace MixedCracks
 {
   namespace
   {
-    bool
-    starts_with(const std::string &text, const std::string &beginning)
-    {
-      return text.compare(0, beginning.size(), beginning) == 0;
-    }
-
     // Between the last "behind" and the next "before" that follows it; empty
     // when one of them is missing.
     std::string

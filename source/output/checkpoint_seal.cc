@@ -186,13 +186,22 @@ namespace MixedCracks
 
 
 
+  const std::vector<std::string> &
+  names_of_libraries()
+  {
+    static const std::vector<std::string> names{
+      "mesh", "mesh.info", values_name, "mesh_variable.data"};
+    return names;
+  }
+
+
+
   std::vector<FileOnDisk>
   files_of_libraries(const std::string &directory)
   {
     std::vector<FileOnDisk> files;
     // whatever else lies there is of somebody else
-    for (const char *const name :
-         {"mesh", "mesh.info", "mesh_fixed.data", "mesh_variable.data"})
+    for (const std::string &name : names_of_libraries())
       if (size_of_file(directory + '/' + name) >= 0)
         files.push_back(described(directory + '/' + name, name));
     return files;

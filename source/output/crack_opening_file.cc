@@ -5,9 +5,8 @@
 #include <deal.II/base/mpi.h>
 
 #include <output/crack_opening_file.h>
-#include <output/disk.h>
+#include <output/small_file.h>
 
-#include <fstream>
 #include <iomanip>
 #include <sstream>
 
@@ -22,15 +21,6 @@ namespace MixedCracks
              (dim == 3 ? "z_mm," : "") + "opening_mm\n";
     }
 
-
-
-    bool
-    appended(const std::string &name, const std::string &content)
-    {
-      std::ofstream file(name, std::ios::app);
-      file << content << std::flush;
-      return static_cast<bool>(file);
-    }
   } // namespace
 
 
@@ -56,13 +46,8 @@ namespace MixedCracks
       return;
     std::string message;
     if (dealii::Utilities::MPI::this_mpi_process(communicator) == 0)
-    {
-      // the old table stays until the new one is whole
-      if (!(append ? appended(name, content)
-                   : write_durably(name, content).empty()))
-        message = "Output/Directory: '" + name +
-                  "' cannot be written; is the disk full?";
-    }
+      message =
+        append ? append_to_file(name, content) : replace_file(name, content);
     throw_on_all_ranks(message, communicator);
   }
 

@@ -20,8 +20,8 @@
 
 #include <output/crack_path_file.h>
 #include <output/crack_path_vtp.h>
-#include <output/disk.h>
 #include <output/run_files.h>
+#include <output/small_file.h>
 
 #include <algorithm>
 #include <cstdlib>
@@ -98,28 +98,9 @@ namespace MixedCracks
 
 
   std::string
-  CrackPathFile::failure(const std::string &name) const
-  {
-    return "Output/Directory: '" + name +
-           "' cannot be written; is the disk full?";
-  }
-
-
-
-  // the old file stays until the new one is whole
-  std::string
-  CrackPathFile::replace(const std::string &name,
-                         const std::string &content) const
-  {
-    return write_durably(name, content).empty() ? "" : failure(name);
-  }
-
-
-
-  std::string
   CrackPathFile::write_table_and_list() const
   {
-    const std::string message = replace(csv_name, all_rows);
+    const std::string message = replace_file(csv_name, all_rows);
     return message.empty() ? write_pvd() : message;
   }
 
@@ -224,16 +205,6 @@ namespace MixedCracks
 
 
   std::string
-  CrackPathFile::append(const std::string &content) const
-  {
-    std::ofstream file(csv_name, std::ios::app);
-    file << content << std::flush;
-    return file ? "" : failure(csv_name);
-  }
-
-
-
-  std::string
   CrackPathFile::add(const unsigned int        step,
                      const double              time,
                      const double              displacement,
@@ -254,7 +225,7 @@ namespace MixedCracks
                      csv_number(displacement),
                    cracks);
     all_rows += added;
-    std::string message = append(added);
+    std::string message = append_to_file(csv_name, added);
     if (message.empty())
       message = write_vtp(step, cracks);
     return message.empty() ? write_pvd() : message;
@@ -271,8 +242,9 @@ namespace MixedCracks
       if (!message.empty())
         return message;
     }
-    return append("# outcome: " + path_in_words(outcome) +
-                  "; start: " + outcome.start + '\n');
+    return append_to_file(csv_name,
+                          "# outcome: " + path_in_words(outcome) +
+                            "; start: " + outcome.start + '\n');
   }
 
 
@@ -287,7 +259,7 @@ namespace MixedCracks
     return note_run_files(directory, {name}) &&
                write_file(directory + '/' + name, crack_path_vtp(cracks))
              ? ""
-             : failure(directory + '/' + name);
+             : cannot_be_written(directory + '/' + name);
   }
 
 
@@ -303,6 +275,6 @@ namespace MixedCracks
                  "\" group=\"\" part=\"0\" file=\"" +
                  crack_path_vtp_name(step) + "\"/>\n";
     content += "</Collection>\n</VTKFile>\n";
-    return replace(pvd_name, content);
+    return replace_file(pvd_name, content);
   }
 } // namespace MixedCracks

@@ -67,16 +67,16 @@ namespace MixedCracks
     if (n_steps == 0)
       return "";
     std::string text = "energy balance: ";
-    text += n_steps == 1 ? printed("step %u leaves", rows[worst].step())
-                         : printed("%zu steps leave", n_steps);
+    text += n_steps == 1 ? format("step %u leaves", rows[worst].step())
+                         : format("%zu steps leave", n_steps);
     text += " more over than Output/Energy imbalance tolerance allows";
     text +=
       n_steps == 1
-        ? printed(", %.4g mJ", largest)
-        : printed(", most in step %u: %.4g mJ", rows[worst].step(), largest);
-    return text + printed("; %.4g mJ in all, of an external work of %.4g mJ",
-                          rows.back().energy_imbalance(rows.front()),
-                          rows.back()["external_work"] -
-                            rows.front()["external_work"]);
+        ? format(", %.4g mJ", largest)
+        : format(", most in step %u: %.4g mJ", rows[worst].step(), largest);
+    return text +
+           format("; %.4g mJ in all, of an external work of %.4g mJ",
+                  rows.back().energy_imbalance(rows.front()),
+                  rows.back()["external_work"] - rows.front()["external_work"]);
   }
 } // namespace MixedCracks

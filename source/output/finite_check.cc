@@ -47,7 +47,7 @@ namespace MixedCracks
         quantities.emplace_back("the displacement at a point", displacement);
       for (const auto &[name, value] : quantities)
         if (!std::isfinite(value))
-          return printed("%s is not finite (%g)", name, value);
+          return format("%s is not finite (%g)", name, value);
       return "";
     }
   } // namespace
@@ -79,10 +79,10 @@ namespace MixedCracks
       const unsigned long n =
         n_not_finite(entry.vector, entry.owned, fields.communicator());
       if (n > 0)
-        return printed("%s: %lu of %llu values are not finite",
-                       entry.name,
-                       n,
-                       static_cast<unsigned long long>(entry.owned.size()));
+        return format("%s: %lu of %llu values are not finite",
+                      entry.name,
+                      n,
+                      static_cast<unsigned long long>(entry.owned.size()));
     }
     // the crack volume, which only some ask for, is empty where it overflows
     return fault_of(row);

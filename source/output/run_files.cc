@@ -16,6 +16,7 @@
 #include <output/checkpoint_seal.h>
 #include <output/disk.h>
 #include <output/run_files.h>
+#include <output/small_file.h>
 
 #include <algorithm>
 #include <filesystem>
@@ -92,9 +93,7 @@ namespace MixedCracks
         return true;
       const std::string path = (fs::path(directory) / run_files_name).string();
       remove_cut_line(path);
-      std::ofstream file(path, std::ios::app);
-      file << text << std::flush;
-      return static_cast<bool>(file);
+      return append_to_file(path, text).empty();
     }
 
     // of names those that are not in the list
@@ -195,18 +194,19 @@ namespace MixedCracks
   const std::vector<std::string> &
   files_of_generation()
   {
-    // those of the libraries, and what is left of one that was being written
-    static const std::vector<std::string> names{"seal.txt",
-                                                "seal.txt.part",
-                                                "record.txt",
-                                                "record.txt.part",
-                                                "record.txt.reserved",
-                                                "mesh",
-                                                "mesh.reserved",
-                                                "mesh.info",
-                                                "mesh_fixed.data",
-                                                "mesh_fixed.data.reserved",
-                                                "mesh_variable.data"};
+    static const std::vector<std::string> names = [] {
+      std::vector<std::string> all{"seal.txt", "record.txt"};
+      all.insert(
+        all.end(), names_of_libraries().begin(), names_of_libraries().end());
+      // and what is left of one that was being written
+      for (const char *const left : {"seal.txt.part",
+                                     "record.txt.part",
+                                     "record.txt.reserved",
+                                     "mesh.reserved",
+                                     "mesh_fixed.data.reserved"})
+        all.emplace_back(left);
+      return all;
+    }();
     return names;
   }
 

@@ -3,6 +3,8 @@
 // here" where its age counts. Only that last line decides anything, the others
 // are for messages: of an empty file or one that is cut off, "another process".
 
+#include <base/text.h>
+
 #include <output/run_lock_holder.h>
 #include <sys/stat.h>
 #include <unistd.h>
@@ -93,7 +95,7 @@ namespace MixedCracks
     for (std::string line; std::getline(text, line);)
     {
       const auto take = [&line](const std::string &word, std::string &value) {
-        if (line.compare(0, word.size(), word) == 0)
+        if (starts_with(line, word))
           value = line.substr(word.size());
       };
       take(host_word, holder.host);

@@ -19,23 +19,23 @@ namespace MixedCracks
   RunLog::step(const std::vector<StatisticsRow> &rows)
   {
     const StatisticsRow &row = rows.back();
-    log.line(printed("  t = %.6g s, u = %.6g mm, F = %.6g N, E_el = %.5g, "
-                     "E_crack = %.5g, W = %.5g mJ, max dphi = %.3g, cells "
-                     "%.0f, %.1f s",
-                     row["time"],
-                     row["displacement"],
-                     row.force_size(),
-                     row["elastic_energy"],
-                     row["crack_energy"],
-                     row["external_work"],
-                     row["max_phase_field_change"],
-                     row["cells"],
-                     row["wall_time"]));
+    log.line(format("  t = %.6g s, u = %.6g mm, F = %.6g N, E_el = %.5g, "
+                    "E_crack = %.5g, W = %.5g mJ, max dphi = %.3g, cells "
+                    "%.0f, %.1f s",
+                    row["time"],
+                    row["displacement"],
+                    row.force_size(),
+                    row["elastic_energy"],
+                    row["crack_energy"],
+                    row["external_work"],
+                    row["max_phase_field_change"],
+                    row["cells"],
+                    row["wall_time"]));
     const double fraction = row["time"] / options.end_time;
     if (fraction > 0.)
-      log.progress(printed("%3.0f %% of the load, about %.0f s to the end time",
-                           100. * fraction,
-                           row["wall_time"] * (1. - fraction) / fraction));
+      log.progress(format("%3.0f %% of the load, about %.0f s to the end time",
+                          100. * fraction,
+                          row["wall_time"] * (1. - fraction) / fraction));
     if (rows.size() > 1)
       energy_balance(rows[rows.size() - 2], row);
   }
@@ -53,13 +53,13 @@ namespace MixedCracks
       : is_set_free(step, row, imbalance_rule)
         ? "set free by a crack that ran"
         : "the step is too long, or the pressure law has no energy";
-    log.line(printed("  energy balance: %.4g mJ of this step, %.1f %% of the "
-                     "%s, are neither stored nor in the crack: %s",
-                     step.energy,
-                     100. * step.energy / step.scale,
-                     step.is_of_stored_energy ? "stored energy"
-                                              : "external work so far",
-                     reason.c_str()));
+    log.line(format("  energy balance: %.4g mJ of this step, %.1f %% of the "
+                    "%s, are neither stored nor in the crack: %s",
+                    step.energy,
+                    100. * step.energy / step.scale,
+                    step.is_of_stored_energy ? "stored energy"
+                                             : "external work so far",
+                    reason.c_str()));
   }
 
 
@@ -112,26 +112,26 @@ namespace MixedCracks
     log.line("end: " + reason);
     log.line("crack: " + path_in_words(summary.cracks) +
              ", start: " + summary.cracks.start);
-    log.line(printed("peak force %.6g N at %.6g mm; at the end %.3g N (%.1f %% "
-                     "of the peak) at %.6g mm",
-                     peak.force_size(),
-                     peak["displacement"],
-                     last.force_size(),
-                     peak.force_size() > 0.
-                       ? 100. * last.force_size() / peak.force_size()
-                       : 0.,
-                     last["displacement"]));
+    log.line(format("peak force %.6g N at %.6g mm; at the end %.3g N (%.1f %% "
+                    "of the peak) at %.6g mm",
+                    peak.force_size(),
+                    peak["displacement"],
+                    last.force_size(),
+                    peak.force_size() > 0.
+                      ? 100. * last.force_size() / peak.force_size()
+                      : 0.,
+                    last["displacement"]));
     energy_balance(rows);
-    log.line(printed("steps %u, rejected %u, factorisations %u, solves %u, "
-                     "%.1f s",
-                     last.step(),
-                     summary.rejected_steps,
-                     summary.factorizations,
-                     summary.solves,
-                     summary.wall_time));
+    log.line(format("steps %u, rejected %u, factorisations %u, solves %u, "
+                    "%.1f s",
+                    last.step(),
+                    summary.rejected_steps,
+                    summary.factorizations,
+                    summary.solves,
+                    summary.wall_time));
     std::string text = "seconds:";
     for (const auto &[name, seconds] : summary.phases)
-      text += printed(" %s %.2f;", name.c_str(), seconds);
+      text += format(" %s %.2f;", name.c_str(), seconds);
     log.line(text);
   }
 } // namespace MixedCracks

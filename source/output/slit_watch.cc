@@ -33,7 +33,7 @@ namespace MixedCracks
     if (place.depth > deepest)
     {
       deepest          = place.depth;
-      deepest_in_words = printed(
+      deepest_in_words = format(
         "the faces of a slit pass through each other, by up to %.3g mm at %s "
         "at t = %.6g s: slits have no contact; a crack of 'Initial cracks' in "
         "a whole mesh, with an energy split, closes",
@@ -41,10 +41,10 @@ namespace MixedCracks
         in_brackets(place.position).c_str(),
         state.time);
     }
-    return printed("  warning: the faces of a slit pass through each other, by "
-                   "%.3g mm at %s",
-                   place.depth,
-                   in_brackets(place.position).c_str());
+    return format("  warning: the faces of a slit pass through each other, by "
+                  "%.3g mm at %s",
+                  place.depth,
+                  in_brackets(place.position).c_str());
   }
 
 
@@ -54,7 +54,7 @@ namespace MixedCracks
   SlitWatch<dim>::warning() const
   {
     return n_steps == 0 ? ""
-                        : deepest_in_words + printed(" (in %u steps)", n_steps);
+                        : deepest_in_words + format(" (in %u steps)", n_steps);
   }
 
 

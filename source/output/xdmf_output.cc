@@ -54,7 +54,7 @@ namespace MixedCracks
     std::string
     numbered(const std::string &name, const unsigned int step)
     {
-      return "fields/" + name + printed("_%05u.h5", step);
+      return "fields/" + name + format("_%05u.h5", step);
     }
 
     std::string
@@ -63,12 +63,12 @@ namespace MixedCracks
               const unsigned long int rows,
               const unsigned int      columns)
     {
-      return printed("<DataItem Dimensions=\"%lu %u\" NumberType=\"%s\" "
-                     "Format=\"HDF\">%s</DataItem>",
-                     rows,
-                     columns,
-                     type.c_str(),
-                     reference.c_str());
+      return format("<DataItem Dimensions=\"%lu %u\" NumberType=\"%s\" "
+                    "Format=\"HDF\">%s</DataItem>",
+                    rows,
+                    columns,
+                    type.c_str(),
+                    reference.c_str());
     }
 
     template <int dim>
@@ -83,13 +83,13 @@ namespace MixedCracks
       const std::string number = "Float\" Precision=\"8";
       std::string       text =
         grid_begin + " GridType=\"Uniform\">\n" +
-        printed("<Time Value=\"%.17g\"/>\n", time) +
-        printed("<Geometry GeometryType=\"%s\">", dim == 2 ? "XY" : "XYZ") +
+        format("<Time Value=\"%.17g\"/>\n", time) +
+        format("<Geometry GeometryType=\"%s\">", dim == 2 ? "XY" : "XYZ") +
         data_item(mesh_file + ":/nodes", number, n_nodes, dim) +
         "</Geometry>\n" +
-        printed("<Topology TopologyType=\"%s\" NumberOfElements=\"%lu\">",
-                dim == 2 ? "Quadrilateral" : "Hexahedron",
-                n_cells) +
+        format("<Topology TopologyType=\"%s\" NumberOfElements=\"%lu\">",
+               dim == 2 ? "Quadrilateral" : "Hexahedron",
+               n_cells) +
         data_item(mesh_file + ":/cells",
                   "UInt",
                   n_cells,
@@ -100,10 +100,10 @@ namespace MixedCracks
         const std::string  name       = data.get_data_set_name(i);
         const unsigned int components = data.get_data_set_dim(i);
         text +=
-          printed("<Attribute Name=\"%s\" AttributeType=\"%s\" "
-                  "Center=\"Node\">",
-                  name.c_str(),
-                  components > 1 ? "Vector" : "Scalar") +
+          format("<Attribute Name=\"%s\" AttributeType=\"%s\" "
+                 "Center=\"Node\">",
+                 name.c_str(),
+                 components > 1 ? "Vector" : "Scalar") +
           data_item(solution_file + ":/" + name, number, n_nodes, components) +
           "</Attribute>\n";
       }

@@ -113,19 +113,21 @@ namespace MixedCracks
   InitialCracks<dim>::add_parameters(ParameterHandler &prm)
   {
     const std::string broken =
-      " The phase field is 0 at the start at the nodes within the half width "
-      "of them; one that breaks no node is refused. On top of the notch. "
-      "Unit: mm.";
+      " One that breaks no node is refused. On top of the notch. Unit: mm.";
     prm.enter_subsection("Initial cracks");
     prm.add_parameter(
       "Cracks",
       text,
-      "Segments 'x0,y0 : x1,y1 ; ...' (3-d: 'x0,y0,z0 : ...')." + broken);
+      "Segments 'x0,y0 : x1,y1 ; ...' (3-d: 'x0,y0,z0 : ...'). The phase field "
+      "is 0 at the start at the nodes within the half width of them." +
+        broken);
     prm.add_parameter("Discs",
                       discs_text,
                       "3-d: penny-shaped cracks 'center : normal : radius ; "
                       "...', as in '0,0,0 : 0,1,0 : 2.5'; 2-d: circles "
-                      "'center : radius ; ...' that are broken all over." +
+                      "'center : radius ; ...'. The phase field is 0 at the "
+                      "start at the nodes within the half width of pennies, "
+                      "and at those in circles, whatever the half width is." +
                         broken);
     prm.add_parameter(
       "Half width",

@@ -10,6 +10,7 @@
 //   Ogden: mu_i and alpha_i together, (mu_1, alpha_1) at least.
 
 #include <base/names.h>
+#include <base/text.h>
 
 #include <problem/geometries/checks.h>
 #include <problem/law_constants.h>
@@ -60,7 +61,7 @@ namespace MixedCracks
     partner_of(const std::string &name)
     {
       const std::string number(1, name.back());
-      return (name.compare(0, 2, "mu") == 0 ? "alpha" : "mu") + number;
+      return (starts_with(name, "mu") ? "alpha" : "mu") + number;
     }
   } // namespace
 
@@ -163,7 +164,7 @@ namespace MixedCracks
     {
       const auto found = values.find(own_names[i]);
       // a term of Ogden's sum with mu = 0, whose exponent divides
-      const bool is_exponent = own_names[i].compare(0, 5, "alpha") == 0;
+      const bool is_exponent = starts_with(own_names[i], "alpha");
       result[i] = found != values.end() ? found->second : is_exponent ? 1. : 0.;
     }
     return result;

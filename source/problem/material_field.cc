@@ -131,15 +131,16 @@ namespace MixedCracks
 
 
   MaterialValues
-  MaterialConstants::compute_of_law(Given                                given,
-                                    const std::map<std::string, double> &values,
-                                    const double toughness) const
+  MaterialConstants::compute_of_law(
+    Given                                given,
+    const std::map<std::string, double> &values,
+    const double                         critical_energy_release_rate) const
   {
     const HyperelasticConstants constants = law.in_order(values);
     given.shear_modulus                   = law.shear_modulus(constants, where);
     const ElasticConstants elastic        = elastic_pair(given);
     law.check(constants, elastic, where);
-    return {elastic, toughness, constants};
+    return {elastic, critical_energy_release_rate, constants};
   }
 
 
@@ -148,7 +149,7 @@ namespace MixedCracks
   MaterialConstants::compute(const Variables &variables) const
   {
     Given                         given;
-    double                        toughness = 0.;
+    double                        critical_energy_release_rate = 0.;
     std::map<std::string, double> of_law;
     for (const Entry &entry : entries)
     {
@@ -160,7 +161,7 @@ namespace MixedCracks
         of_law[entry.name] = value;
       else
       {
-        toughness = value;
+        critical_energy_release_rate = value;
         require(std::isfinite(value) && value > 0.,
                 entry.parameter + ": found '" + number_text(value) +
                   "', expected a number greater than 0 (N/mm).");
@@ -169,10 +170,11 @@ namespace MixedCracks
     if (is_of_law && of_law.empty())
       law.check_names({}, where);
     if (is_of_law)
-      return compute_of_law(given, of_law, toughness);
+      return compute_of_law(given, of_law, critical_energy_release_rate);
     const ElasticConstants pair = elastic_pair(given);
     // neo-Hooke's mu, where there is a law
-    return {pair, toughness, law.in_order({{"mu", pair.mu}})};
+    return {
+      pair, critical_energy_release_rate, law.in_order({{"mu", pair.mu}})};
   }
 
 

@@ -21,7 +21,6 @@
 #include <problem/material_field.h>
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
 
 namespace MixedCracks
@@ -38,7 +37,8 @@ namespace MixedCracks
                                                     "Young's modulus",
                                                     "Poisson ratio",
                                                     "Bulk modulus"};
-    const std::string toughness_name = "Critical energy release rate";
+    const std::string              critical_energy_release_rate_name =
+      "Critical energy release rate";
 
     // Parts between commas that are not inside of parentheses: those separate
     // the arguments of functions.
@@ -56,16 +56,6 @@ namespace MixedCracks
           parts.back() += c;
       }
       return parts;
-    }
-
-    dealii::types::material_id
-    parsed_id(const std::string &text)
-    {
-      const double number = parse_number(text, by_id_name);
-      require(number >= 0. && number <= 1e9 && number == std::floor(number),
-              by_id_name + ": the material id " + in_quotes(text) +
-                " is no integer from 0 to 1000000000.");
-      return static_cast<dealii::types::material_id>(number);
     }
 
     // "name = value, name = value" of the names @p known
@@ -117,7 +107,7 @@ namespace MixedCracks
     {
       std::vector<std::string> names = elastic_names;
       names.insert(names.end(), law.names().begin(), law.names().end());
-      names.push_back(toughness_name);
+      names.push_back(critical_energy_release_rate_name);
       return names;
     }
 
@@ -218,7 +208,7 @@ namespace MixedCracks
     for (std::size_t i = 0; i < elastic_names.size(); ++i)
       if (!values[i]->empty())
         result[elastic_names[i]] = *values[i];
-    result[toughness_name] = critical_energy_release_rate;
+    result[critical_energy_release_rate_name] = critical_energy_release_rate;
     if (strains().is_finite() && !hyperelastic_constants.empty())
       result.merge(parsed_texts(hyperelastic_constants,
                                 LawConstants(strains()).names(),
@@ -241,7 +231,7 @@ namespace MixedCracks
               by_id_name + ": " + in_quotes(item) +
                 " is not of the form 'id : name = value, ...'.");
       const dealii::types::material_id id =
-        parsed_id(single_spaced(item.substr(0, colon)));
+        read_id(single_spaced(item.substr(0, colon)), "material", by_id_name);
       Texts all =
         parsed_texts(item.substr(colon + 1), known_names(law), by_id_name);
       Texts with_those_above = all;

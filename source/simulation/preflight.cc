@@ -73,14 +73,14 @@ namespace MixedCracks
     {
       std::string text =
         given.ratio.varies()
-          ? printed("lambda/mu = %.4g to %.4g, nu = %.5f to %.5f",
-                    printable(given.ratio.smallest),
-                    printable(given.ratio.largest),
-                    given.nu.smallest,
-                    given.nu.largest)
-          : printed("lambda/mu = %.4g, nu = %.5f",
-                    printable(given.ratio.largest),
-                    given.nu.largest);
+          ? format("lambda/mu = %.4g to %.4g, nu = %.5f to %.5f",
+                   printable(given.ratio.smallest),
+                   printable(given.ratio.largest),
+                   given.nu.smallest,
+                   given.nu.largest)
+          : format("lambda/mu = %.4g, nu = %.5f",
+                   printable(given.ratio.largest),
+                   given.nu.largest);
       if (given.ratio.largest < nearly_incompressible)
         return text + ": compressible enough for either formulation";
       return text + (mixed ? ": nearly incompressible, handled by the mixed "
@@ -153,24 +153,24 @@ namespace MixedCracks
   {
     const MeshEstimate mesh = body.counts();
     // a count that is not exact has three digits
-    const char *const format =
+    const char *const sizes =
       mesh.is_exact
         ? "ranks: %u; cells: %.0f; dofs: %.0f (u, p: %.0f; phi: %.0f)"
         : "ranks: %u; cells: about %.3g; dofs: about %.3g (u, p: %.3g; phi: "
           "%.3g)";
-    log.line(printed(format,
-                     Utilities::MPI::n_mpi_processes(body.communicator()),
-                     mesh.n_cells,
-                     mesh.n_elastic + mesh.n_phase_field,
-                     mesh.n_elastic,
-                     mesh.n_phase_field));
+    log.line(format(sizes,
+                    Utilities::MPI::n_mpi_processes(body.communicator()),
+                    mesh.n_cells,
+                    mesh.n_elastic + mesh.n_phase_field,
+                    mesh.n_elastic,
+                    mesh.n_phase_field));
     const double cell_size = body.cell_size_at_cracks();
-    log.line(printed("finest cells h = %.4g mm; length scale l = %.4g mm, "
-                     "l/h = %.3g; kappa = %.3g",
-                     cell_size,
-                     body.length_scale(),
-                     printable(body.length_scale() / cell_size),
-                     body.material->description().residual_stiffness));
+    log.line(format("finest cells h = %.4g mm; length scale l = %.4g mm, "
+                    "l/h = %.3g; kappa = %.3g",
+                    cell_size,
+                    body.length_scale(),
+                    printable(body.length_scale() / cell_size),
+                    body.material->description().residual_stiffness));
   }
 
 
@@ -194,18 +194,18 @@ namespace MixedCracks
         dim,
         static_cast<types::global_dof_index>(mesh.n_elastic))
         .name;
-    log.line(printed("memory: about %.2g GB with the linear solver '%s', all "
-                     "ranks together",
-                     1e-9 * bytes_of_solution<dim>(
-                              solver, mesh.n_elastic + mesh.n_phase_field),
-                     solver.c_str()));
-    log.line(printed("checkpoint: about %.3g MB on this mesh and 0.3 kB for "
-                     "each load step; twice that on the disk, as the one "
-                     "before is kept",
-                     1e-6 * static_cast<double>(checkpoint_size(
-                              body.fields,
-                              static_cast<std::uint64_t>(mesh.n_cells),
-                              body.triangulation.n_cells(0)))));
+    log.line(format("memory: about %.2g GB with the linear solver '%s', all "
+                    "ranks together",
+                    1e-9 * bytes_of_solution<dim>(
+                             solver, mesh.n_elastic + mesh.n_phase_field),
+                    solver.c_str()));
+    log.line(format("checkpoint: about %.3g MB on this mesh and 0.3 kB for "
+                    "each load step; twice that on the disk, as the one "
+                    "before is kept",
+                    1e-6 * static_cast<double>(checkpoint_size(
+                             body.fields,
+                             static_cast<std::uint64_t>(mesh.n_cells),
+                             body.triangulation.n_cells(0)))));
   }
 
 
@@ -217,16 +217,16 @@ namespace MixedCracks
     // a geometry with slits of its own has said so
     if (slits.empty() || !body.parameters.geometry.chosen().slits().empty())
       return;
-    log.line(printed("slits: %zu faces of the coarse mesh, from %s to %s, lie "
-                     "between doubled nodes; %s",
-                     slits.size(),
-                     in_brackets(slits.front().place.corners.front()).c_str(),
-                     in_brackets(slits.back().place.corners.back()).c_str(),
-                     body.parameters.initial_cracks.broken_slits
-                       ? "the phase field is 0 there (Initial cracks/Broken "
-                         "slits)"
-                       : "gaps and no more, Initial cracks/Broken slits is "
-                         "false"));
+    log.line(format("slits: %zu faces of the coarse mesh, from %s to %s, lie "
+                    "between doubled nodes; %s",
+                    slits.size(),
+                    in_brackets(slits.front().place.corners.front()).c_str(),
+                    in_brackets(slits.back().place.corners.back()).c_str(),
+                    body.parameters.initial_cracks.broken_slits
+                      ? "the phase field is 0 there (Initial cracks/Broken "
+                        "slits)"
+                      : "gaps and no more, Initial cracks/Broken slits is "
+                        "false"));
   }
 
 
@@ -239,16 +239,16 @@ namespace MixedCracks
     const ModelParameters &model      = parameters.model;
     const double resolution = body.length_scale() / body.cell_size_at_cracks();
     if (resolution < 2. * (1. - 1e-6))
-      found.push_back(printed(
+      found.push_back(format(
         "l/h = %.3g: the length scale is resolved by fewer than two cells; "
         "the effective toughness is too large",
         resolution));
     const double ratio = body.material_range.ratio.largest;
     if (!cannot_lock(model, dim) && ratio > nearly_incompressible)
       found.push_back(
-        printed("lambda/mu = %.3g with the displacement formulation: expect "
-                "locking; Model/Formulation = mixed avoids it",
-                printable(ratio)));
+        format("lambda/mu = %.3g with the displacement formulation: expect "
+               "locking; Model/Formulation = mixed avoids it",
+               printable(ratio)));
     if (parameters.coupling.kind != "iterated")
       found.push_back("coupling '" + parameters.coupling.kind +
                       "': a running crack advances about one cell per load "
@@ -280,14 +280,14 @@ namespace MixedCracks
   ImpliedStrength
   Preflight<dim>::strength() const
   {
-    const std::string &density = body.parameters.model.crack_density;
+    const MaterialDescription &material = body.material->description();
     if (!is_even_rubber())
-      return implied_strength(
-        density, body.material_range, body.length_scale());
-    const MaterialDescription &rubber = body.material->description();
-    return implied_strength(density,
-                            rubber,
-                            rubber.constants->critical_energy_release_rate,
+      return implied_strength(material.crack_density,
+                              material.degradation,
+                              body.material_range,
+                              body.length_scale());
+    return implied_strength(material,
+                            material.constants->critical_energy_release_rate,
                             body.length_scale());
   }
 
@@ -301,12 +301,11 @@ namespace MixedCracks
     const std::string too_many_steps = body.parameters.load.warning();
     if (!too_many_steps.empty())
       found.push_back(too_many_steps);
-    CaseScales scales = case_scales(body.parameters,
-                                    coarse_extent(body.triangulation),
-                                    body.material_range,
-                                    body.length_scale(),
-                                    body.cell_size_at_cracks());
-    scales.strength   = strength();
+    const CaseScales scales = case_scales(body.parameters,
+                                          coarse_extent(body.triangulation),
+                                          strength(),
+                                          body.length_scale(),
+                                          body.cell_size_at_cracks());
     if (is_even_rubber())
     {
       const std::string decline =

@@ -50,7 +50,8 @@ namespace MixedCracks
     const Parameters<dim> &parameters      = body.parameters;
     return {parameters.output.energy_imbalance_tolerance,
             parameters.change_where_a_crack_ran(),
-            next_to_nothing * body.material_range.toughness.smallest *
+            next_to_nothing *
+              body.material_range.critical_energy_release_rate.smallest *
               std::pow(body.length_scale(), dim - 1) *
               parameters.thickness_factor()};
   }

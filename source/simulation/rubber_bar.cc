@@ -3,13 +3,13 @@
 // incompressible states the pressure does no work, so that the nominal stress
 // is dW/ds, taken by differences.
 //
-// Strength with g = phi^2 (kappa = 0), phi the same everywhere:
+// Strength with kappa = 0, phi the same everywhere:
 //
-//   g'(phi) W(s) = - a'(phi) G_c/l,   P = phi^2 W'(s),   maximal over phi.
+//   g'(phi) W(s) = - a'(phi) G_c/l,   P = g(phi) W'(s),   maximal over phi.
 //
 // At small strains W = E eps^2/2, and P is that of model/strength.h. Where the
-// material is intact up to the strength, as with AT1 and Wu, phi = 1 there: W =
-// 3/16 G_c/l and G_c/(pi l).
+// material is intact up to the strength, as with AT1 and Wu and g = phi^2, phi
+// = 1 there: W = 3/16 G_c/l and G_c/(pi l).
 
 #include <simulation/rubber_bar.h>
 
@@ -98,6 +98,7 @@ namespace MixedCracks
   RubberStrength
   rubber_strength(const RubberBar    &bar,
                   const CrackDensity &density,
+                  const Degradation  &degradation,
                   const double        energy)
   {
     constexpr unsigned int n_samples = 100;
@@ -106,10 +107,11 @@ namespace MixedCracks
     {
       const double phi     = static_cast<double>(i) / n_samples;
       const double stretch = bar.stretch_of_energy(
-        -density.local_derivative(phi) * energy / (2. * phi));
+        -density.local_derivative(phi) * energy / degradation.derivative(phi));
       if (!std::isfinite(stretch))
         continue;
-      const double stress = phi * phi * bar.nominal_stress(stretch);
+      const double stress =
+        degradation.value(phi) * bar.nominal_stress(stretch);
       // equal ones of a flat maximum: the last, of the least damage
       if (stress >= result.stress * (1. - 1e-9))
         result = {stress, stretch};

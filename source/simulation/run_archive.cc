@@ -57,8 +57,8 @@ namespace MixedCracks
       resumed->end == RunEnd::refused ? resumed->why_failed : "");
     if (!mended.empty())
       resumed->changed_loads.push_back(
-        printed("the loads before t = %.6g s are those of another expression: ",
-                resumed->time) +
+        format("the loads before t = %.6g s are those of another expression: ",
+               resumed->time) +
         mended);
   }
 
@@ -111,7 +111,7 @@ namespace MixedCracks
   RunArchive<dim>::restore_records(const State &state)
   {
     recorder.restore(*resumed, state);
-    log.line(printed("resumed at step %u", recorder.last().step()));
+    log.line(format("resumed at step %u", recorder.last().step()));
   }
 
 

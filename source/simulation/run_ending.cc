@@ -19,13 +19,12 @@ namespace MixedCracks
     std::string
     load_at_failure(const StatisticsRow &carried, const StatisticsRow &last)
     {
-      return printed(
-        "; load at failure: between %.6g N (t = %.6g s), which was "
-        "carried, and %.6g N (t = %.6g s), which was not",
-        carried.force_size(),
-        carried["time"],
-        last.force_size(),
-        last["time"]);
+      return format("; load at failure: between %.6g N (t = %.6g s), which was "
+                    "carried, and %.6g N (t = %.6g s), which was not",
+                    carried.force_size(),
+                    carried["time"],
+                    last.force_size(),
+                    last["time"]);
     }
 
 
@@ -63,9 +62,9 @@ namespace MixedCracks
   {
     if (!can_be_mended(error))
       return "";
-    return printed(" The last accepted state, t = %.6g s, is kept: --resume "
-                   "goes on from it with another expression in this entry.",
-                   time);
+    return format(" The last accepted state, t = %.6g s, is kept: --resume "
+                  "goes on from it with another expression in this entry.",
+                  time);
   }
 
 

@@ -74,8 +74,8 @@ namespace MixedCracks
   {
     poll.note_checkpoint(begin);
     if (poll.is_decided() && !poll.is_by_clock())
-      log.line(printed("  checkpoint written %.1f s after the request to stop",
-                       poll.seconds_since_request()));
+      log.line(format("  checkpoint written %.1f s after the request to stop",
+                      poll.seconds_since_request()));
   }
 
 
@@ -97,9 +97,9 @@ namespace MixedCracks
   {
     if (!poll.is_by_clock())
       return in_words(RunEnd::stopped);
-    return printed("stopped before Output/Wall time limit, %.4g s, was over; "
-                   "continue with --resume",
-                   wall_time_limit);
+    return format("stopped before Output/Wall time limit, %.4g s, was over; "
+                  "continue with --resume",
+                  wall_time_limit);
   }
 
 

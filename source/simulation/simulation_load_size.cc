@@ -2,7 +2,8 @@
 // How large loads are, roughly, without a mesh: expressions are evaluated at
 // the corners and the middle of the box around the body. Displacements become
 // strains by the largest extent of the body. Body forces are not looked at
-// (is_known = false): what stress they make depends on the shape.
+// (is_known = false): what stress they make depends on the shape. Nor is an
+// expression that has a value at none of these places.
 
 #include <base/errors.h>
 #include <base/finite_text.h>
@@ -12,6 +13,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 namespace MixedCracks
 {
@@ -29,20 +31,22 @@ namespace MixedCracks
       return result;
     }
 
-    // of one component; where it has no value, as outside of its boundary,
-    // nothing is said
+    // Of one component; nothing where it has no value at any of the places. It
+    // need not have one outside of its boundary, so that this is no error here;
+    // where a value is asked for and there is none, the run names the entry, at
+    // t = 0 before the first step (simulation_setup_expressions.cc).
     template <int dim>
-    double
+    std::optional<double>
     size_at(const Function<dim>           &function,
             const std::vector<Point<dim>> &places,
             const unsigned int             component)
     {
-      double largest = 0.;
+      std::optional<double> largest;
       for (const Point<dim> &place : places)
         try
         {
-          largest =
-            std::max(largest, std::abs(function.value(place, component)));
+          largest = std::max(largest.value_or(0.),
+                             std::abs(function.value(place, component)));
         }
         catch (const InputError &)
         {}
@@ -50,7 +54,7 @@ namespace MixedCracks
     }
 
     template <int dim>
-    double
+    std::optional<double>
     size_of(std::shared_ptr<const Expression> expression,
             const std::vector<Point<dim>>    &places,
             const double                      time)
@@ -73,31 +77,32 @@ namespace MixedCracks
     const std::vector<Point<dim>> places = places_in(body);
     const auto                   &given  = parameters.boundary_conditions;
     double                        extent = 0., displacement = 0.;
+    LoadSize                      result;
+    result.is_known = given.body_force(dim) == nullptr;
+    const auto add  = [&result](double                     &largest,
+                               const std::optional<double> size) {
+      largest         = std::max(largest, size.value_or(0.));
+      result.is_known = result.is_known && size.has_value();
+    };
     for (unsigned int d = 0; d < dim; ++d)
       extent = std::max(extent, body.side_length(d));
     for (const auto &entry : given.displacements())
       if (entry.component < dim)
-        displacement =
-          std::max(displacement, size_of<dim>(entry.expression, places, time));
+        add(displacement, size_of<dim>(entry.expression, places, time));
     for (const auto &entry : given.point_displacements())
-      displacement = std::max(
-        displacement, size_of<dim>(entry.expression, {entry.point}, time));
-
-    LoadSize result;
+      add(displacement, size_of<dim>(entry.expression, {entry.point}, time));
     result.strain = displacement / extent;
     for (const auto &[boundary, traction] : given.tractions(dim))
     {
       traction->set_time(time);
       for (unsigned int d = 0; d < dim; ++d)
-        result.traction =
-          std::max(result.traction, size_at<dim>(*traction, places, d));
+        add(result.traction, size_at<dim>(*traction, places, d));
     }
     if (const auto pressure = parameters.fluid.pressure())
     {
       pressure->set_time(time);
-      result.fluid = size_at<dim>(*pressure, places, 0);
+      add(result.fluid, size_at<dim>(*pressure, places, 0));
     }
-    result.is_known = given.body_force(dim) == nullptr;
     return result;
   }
 
@@ -124,9 +129,9 @@ namespace MixedCracks
       if (size > 0.)
         text += (text.empty() ? "" : ", ") + what;
     };
-    add(load.strain, printed("strains of about %.2g", printable(load.strain)));
-    add(load.traction, printed("tractions of %.3g MPa", load.traction));
-    add(load.fluid, printed("a fluid pressure of %.3g MPa", load.fluid));
+    add(load.strain, format("strains of about %.2g", printable(load.strain)));
+    add(load.traction, format("tractions of %.3g MPa", load.traction));
+    add(load.fluid, format("a fluid pressure of %.3g MPa", load.fluid));
     return text;
   }
 

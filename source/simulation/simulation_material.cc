@@ -44,8 +44,8 @@ namespace MixedCracks
     in_words(const Range &range)
     {
       return !range.varies()
-               ? printed("%.4g", range.smallest)
-               : printed("%.4g to %.4g", range.smallest, range.largest);
+               ? format("%.4g", range.smallest)
+               : format("%.4g to %.4g", range.smallest, range.largest);
     }
   } // namespace
 
@@ -96,7 +96,8 @@ namespace MixedCracks
       widen(range.mu, elastic.mu);
       widen(range.ratio, elastic.lambda / elastic.mu);
       widen(range.nu, elastic.poisson_ratio());
-      widen(range.toughness, values.critical_energy_release_rate);
+      widen(range.critical_energy_release_rate,
+            values.critical_energy_release_rate);
     };
     if (field.varies())
       for_each_quadrature_point<dim>(
@@ -105,8 +106,11 @@ namespace MixedCracks
         });
     else
       add(field(Point<dim>(), 0));
-    for (Range *each :
-         {&range.lambda, &range.mu, &range.ratio, &range.nu, &range.toughness})
+    for (Range *each : {&range.lambda,
+                        &range.mu,
+                        &range.ratio,
+                        &range.nu,
+                        &range.critical_energy_release_rate})
     {
       each->smallest =
         Utilities::MPI::min(each->smallest, fields.communicator());
@@ -122,7 +126,8 @@ namespace MixedCracks
   {
     return "material varies: lambda = " + in_words(range.lambda) +
            " MPa, mu = " + in_words(range.mu) +
-           " MPa, G_c = " + in_words(range.toughness) + " N/mm";
+           " MPa, G_c = " + in_words(range.critical_energy_release_rate) +
+           " N/mm";
   }
 
 

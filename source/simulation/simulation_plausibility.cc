@@ -4,8 +4,9 @@
 //
 //   sigma_c = c sqrt(E G_c/l)   (MPa),    eps_c = e sqrt(G_c/(l E)),
 //
-// c = 0.612 AT1, 0.325 AT2, 0.798 Wu. With U the largest prescribed
-// displacement and L the largest extent of the body, a load is measured by
+// c = 0.612 AT1, 0.325 AT2, 0.798 Wu with g = phi^2. With U the largest
+// prescribed displacement and L the largest extent of the body, a load is
+// measured by
 //
 //   max( (U/L)/eps_c, tau/sigma_c ),     a fluid by  p_f/sigma_c.
 //
@@ -70,8 +71,8 @@ namespace MixedCracks
     {
       const double smallest = printable(range.smallest);
       const double largest  = printable(range.largest);
-      return !range.varies() ? printed("%.3g", smallest)
-                             : printed("%.3g to %.3g", smallest, largest);
+      return !range.varies() ? format("%.3g", smallest)
+                             : format("%.3g to %.3g", smallest, largest);
     }
 
     // without a fluid, which acts in cracks only
@@ -96,18 +97,20 @@ namespace MixedCracks
 
   ImpliedStrength
   implied_strength(const std::string   &crack_density,
+                   const std::string   &degradation,
                    const MaterialRange &material,
                    const double         length_scale)
   {
     const Strength relative =
-      relative_strength(*all_crack_densities().make(crack_density));
+      relative_strength(*all_crack_densities().make(crack_density),
+                        *all_degradations().make(degradation, /*kappa=*/0.));
     const auto modulus = [](const double lambda, const double mu) {
       // the larger numbers last, whose product may overflow
       return mu / (lambda + mu) * (3. * lambda + 2. * mu);
     };
     const Range  E{modulus(material.lambda.smallest, material.mu.smallest),
                   modulus(material.lambda.largest, material.mu.largest)};
-    const Range &G_c    = material.toughness;
+    const Range &G_c    = material.critical_energy_release_rate;
     const auto   stress = [&](const double E, const double G_c) {
       return relative.stress * std::sqrt(E) * std::sqrt(G_c / length_scale);
     };
@@ -123,17 +126,17 @@ namespace MixedCracks
 
 
   ImpliedStrength
-  implied_strength(const std::string         &crack_density,
-                   const MaterialDescription &rubber,
-                   const double               toughness,
+  implied_strength(const MaterialDescription &rubber,
+                   const double               critical_energy_release_rate,
                    const double               length_scale)
   {
-    const RubberStrength strength =
-      rubber_strength(RubberBar(rubber),
-                      *all_crack_densities().make(crack_density),
-                      toughness / length_scale);
+    const RubberStrength strength = rubber_strength(
+      RubberBar(rubber),
+      *all_crack_densities().make(rubber.crack_density),
+      *all_degradations().make(rubber.degradation, /*kappa=*/0.),
+      critical_energy_release_rate / length_scale);
     const double strain = strength.stretch - 1.;
-    return {crack_density,
+    return {rubber.crack_density,
             0.,
             {strength.stress, strength.stress},
             {strain, strain},
@@ -151,13 +154,13 @@ namespace MixedCracks
       RubberBar(rubber).stretch_of_decline(rubber.largest_stretch);
     if (!declines)
       return "";
-    return printed("the nominal stress of a bar of this %s law declines from "
-                   "the stretch %.3g on, within Model/Largest stretch = %.4g: "
-                   "a body under dead loads may neck there; check "
-                   "Material/Hyperelastic constants",
-                   rubber.hyperelastic_law.c_str(),
-                   *declines,
-                   rubber.largest_stretch);
+    return format("the nominal stress of a bar of this %s law declines from "
+                  "the stretch %.3g on, within Model/Largest stretch = %.4g: "
+                  "a body under dead loads may neck there; check "
+                  "Material/Hyperelastic constants",
+                  rubber.hyperelastic_law.c_str(),
+                  *declines,
+                  rubber.largest_stretch);
   }
 
 
@@ -166,16 +169,16 @@ namespace MixedCracks
   in_words(const ImpliedStrength &strength)
   {
     if (strength.stretch_of_use)
-      return printed("strength of an even bar with %s at finite strain: a "
-                     "nominal stress of ",
-                     strength.crack_density.c_str()) +
+      return format("strength of an even bar with %s at finite strain: a "
+                    "nominal stress of ",
+                    strength.crack_density.c_str()) +
              in_words(strength.stress) +
-             printed(" MPa, at the stretch %.3g",
-                     printable(1. + strength.strain.largest));
-    return printed("strength of an even bar with %s: sigma_c = %.3g "
-                   "sqrt(E G_c/l) = ",
-                   strength.crack_density.c_str(),
-                   strength.factor) +
+             format(" MPa, at the stretch %.3g",
+                    printable(1. + strength.strain.largest));
+    return format("strength of an even bar with %s: sigma_c = %.3g "
+                  "sqrt(E G_c/l) = ",
+                  strength.crack_density.c_str(),
+                  strength.factor) +
            in_words(strength.stress) + " MPa, at a strain of " +
            in_words(strength.strain);
   }
@@ -186,7 +189,7 @@ namespace MixedCracks
   CaseScales
   case_scales(const Parameters<dim>  &parameters,
               const BoundingBox<dim> &body,
-              const MaterialRange    &material,
+              const ImpliedStrength  &strength,
               const double            length_scale,
               const double            cell_size)
   {
@@ -197,9 +200,8 @@ namespace MixedCracks
     for (unsigned int d = 0; d < dim; ++d)
       extents.push_back(body.side_length(d));
     std::sort(extents.begin(), extents.end());
-    scales.width = extents[dim - 2];
-    scales.strength =
-      implied_strength(parameters.model.crack_density, material, length_scale);
+    scales.width               = extents[dim - 2];
+    scales.strength            = strength;
     const LoadParameters &load = parameters.load;
     scales.onset_step          = load.onset_step;
     scales.first               = load_size(parameters, body, load.onset_step);
@@ -210,8 +212,8 @@ namespace MixedCracks
       scales.largest.strain   = std::max(scales.largest.strain, now.strain);
       scales.largest.traction = std::max(scales.largest.traction, now.traction);
       scales.largest.fluid    = std::max(scales.largest.fluid, now.fluid);
+      scales.largest.is_known = scales.largest.is_known && now.is_known;
     }
-    scales.largest.is_known = scales.first.is_known;
     return scales;
   }
 
@@ -224,18 +226,18 @@ namespace MixedCracks
     {
       if (scales.length_scale > widest_length_scale * scales.width)
         warnings.push_back(
-          printed("l = %.4g mm in a body %.4g mm wide: one crack damages the "
-                  "whole of it; Model/Length scale shall be small against the "
-                  "body",
-                  scales.length_scale,
-                  scales.width));
+          format("l = %.4g mm in a body %.4g mm wide: one crack damages the "
+                 "whole of it; Model/Length scale shall be small against the "
+                 "body",
+                 scales.length_scale,
+                 scales.width));
       const double resolution = scales.length_scale / scales.cell_size;
       if (resolution > finest_resolution)
         warnings.push_back(
-          printed("l/h = %.4g: 4 to 10 cells resolve a crack; is Model/Length "
-                  "scale = %.4g mm meant?",
-                  printable(resolution),
-                  scales.length_scale));
+          format("l/h = %.4g: 4 to 10 cells resolve a crack; is Model/Length "
+                 "scale = %.4g mm meant?",
+                 printable(resolution),
+                 scales.length_scale));
     }
 
 
@@ -256,9 +258,9 @@ namespace MixedCracks
       warnings.push_back(
         in_words(strength) +
         (strength.stretch_of_use
-           ? printed(", beyond Model/Largest stretch = %.4g, from where on the "
-                     "law goes on as neo-Hooke",
-                     *strength.stretch_of_use)
+           ? format(", beyond Model/Largest stretch = %.4g, from where on the "
+                    "law goes on as neo-Hooke",
+                    *strength.stretch_of_use)
            : std::string(", far beyond small strains; check Critical energy "
                          "release rate, moduli and Length scale")));
     }
@@ -277,10 +279,10 @@ namespace MixedCracks
         return;
       warnings.push_back(
         in_words(at_once ? scales.first : scales.largest) +
-        (at_once ? printed(" after one onset step of %.4g s", scales.onset_step)
+        (at_once ? format(" after one onset step of %.4g s", scales.onset_step)
                  : std::string(" until the end time")) +
-        printed(" are %.3g times what the material bears (",
-                printable(at_once ? first : most)) +
+        format(" are %.3g times what the material bears (",
+               printable(at_once ? first : most)) +
         in_words(scales.strength) +
         "): the body breaks as a whole; check Critical energy release rate, "
         "moduli, Length scale and units (N/mm, MPa, mm)");
@@ -304,8 +306,8 @@ namespace MixedCracks
     const double fluid = scales.largest.fluid / strength.stress.largest;
     if (fluid > largest_fluid_pressure)
       warnings.push_back(
-        printed("Fluid/Pressure reaches %.3g times the strength (",
-                printable(fluid)) +
+        format("Fluid/Pressure reaches %.3g times the strength (",
+               printable(fluid)) +
         in_words(strength) +
         "): material breaks all around a crack that it acts in");
     return warnings;
@@ -324,8 +326,8 @@ namespace MixedCracks
     if (!scales.largest.is_known || most == 0. || !(most < far_too_small))
       return "";
     return in_words(scales.largest) +
-           printed(" until the end time are %.2g of that: nothing will break",
-                   most);
+           format(" until the end time are %.2g of that: nothing will break",
+                  most);
   }
 
 
@@ -353,20 +355,20 @@ namespace MixedCracks
     const auto step    = static_cast<unsigned int>(found - shares.begin());
     const int  percent = static_cast<int>(std::round(100. * *found));
     if (step == 0)
-      return printed("damage fills %d %% of the body in step 0, before it is "
-                     "loaded further: Model/Length scale = %.4g mm is too "
-                     "large for it, or it is broken by Initial cracks or by "
-                     "what is applied at t = 0",
-                     percent,
-                     length_scale);
-    return printed("damage fills %d %% of the body after step %u, %d %% "
-                   "before it: the body broke as a whole, not along cracks; "
-                   "Model/Length scale = %.4g mm is too large for it, or "
-                   "Critical energy release rate too small",
-                   percent,
-                   step,
-                   static_cast<int>(std::round(100. * *(found - 1))),
-                   length_scale);
+      return format("damage fills %d %% of the body in step 0, before it is "
+                    "loaded further: Model/Length scale = %.4g mm is too "
+                    "large for it, or it is broken by Initial cracks or by "
+                    "what is applied at t = 0",
+                    percent,
+                    length_scale);
+    return format("damage fills %d %% of the body after step %u, %d %% "
+                  "before it: the body broke as a whole, not along cracks; "
+                  "Model/Length scale = %.4g mm is too large for it, or "
+                  "Critical energy release rate too small",
+                  percent,
+                  step,
+                  static_cast<int>(std::round(100. * *(found - 1))),
+                  length_scale);
   }
 
 
@@ -374,7 +376,7 @@ namespace MixedCracks
 #define INSTANTIATE(dim)                                    \
   template CaseScales case_scales(const Parameters<dim> &,  \
                                   const BoundingBox<dim> &, \
-                                  const MaterialRange &,    \
+                                  const ImpliedStrength &,  \
                                   double,                   \
                                   double);
   INSTANTIATE(2)

@@ -130,18 +130,18 @@ namespace MixedCracks
     if (!decided)
       return "";
     if (signal == 0)
-      return printed("Output/Wall time limit: %.4g s have gone of %.4g s, and "
-                     "the longest load step took %.3g s, leaving in order "
-                     "%.3g s at most",
-                     decision_time,
-                     budget.limit(),
-                     budget.longest_step(),
-                     budget.reserve());
+      return format("Output/Wall time limit: %.4g s have gone of %.4g s, and "
+                    "the longest load step took %.3g s, leaving in order "
+                    "%.3g s at most",
+                    decision_time,
+                    budget.limit(),
+                    budget.longest_step(),
+                    budget.reserve());
     std::string text = "asked to stop by " + name_of_signal(signal);
     if (age_at_decision > prompt)
-      text += printed(", %.1f s ago: not to be interrupted was: %s",
-                      age_at_decision,
-                      call.c_str());
+      text += format(", %.1f s ago: not to be interrupted was: %s",
+                     age_at_decision,
+                     call.c_str());
     return text;
   }
 } // namespace MixedCracks

@@ -58,10 +58,10 @@ namespace MixedCracks
   {
     if (!outcome.solved)
       return outcome.reason;
-    return printed(outcome.runs_away
-                     ? "the phase field runs away, by %.3g so far"
-                     : "the phase field changed by %.3g",
-                   outcome.phase_field_change);
+    return format(outcome.runs_away
+                    ? "the phase field runs away, by %.3g so far"
+                    : "the phase field changed by %.3g",
+                  outcome.phase_field_change);
   }
 
 
@@ -143,10 +143,10 @@ namespace MixedCracks
     recorder.note_refinement();
     reinit();
     solvers.elastic.update_reaction(accepted);
-    log.line(printed("  refined: %llu cells, %llu dofs",
-                     static_cast<unsigned long long>(
-                       body.triangulation.n_global_active_cells()),
-                     static_cast<unsigned long long>(body.fields.n_dofs())));
+    log.line(format("  refined: %llu cells, %llu dofs",
+                    static_cast<unsigned long long>(
+                      body.triangulation.n_global_active_cells()),
+                    static_cast<unsigned long long>(body.fields.n_dofs())));
   }
 
 
@@ -197,10 +197,10 @@ namespace MixedCracks
     trial.time           = load_control.target_time();
     trial.time_step      = load_control.step();
     log.line("");
-    log.line(printed("step %zu: t = %.6g s, dt = %.4g s",
-                     recorder.rows().size(),
-                     trial.time,
-                     trial.time_step));
+    log.line(format("step %zu: t = %.6g s, dt = %.4g s",
+                    recorder.rows().size(),
+                    trial.time,
+                    trial.time_step));
     outcome = solve(accepted, trial, bound);
     if (outcome.interrupted || !outcome.solved ||
         !(outcome.phase_field_change <= bound))

@@ -264,10 +264,10 @@ namespace MixedCracks
     {
       outcome.success = false;
       outcome.reason =
-        printed("block AMG: the residual is %.2g times the tolerance after "
-                "%u iterations",
-                control.last_value() / tolerance,
-                control.last_step());
+        format("block AMG: the residual is %.2g times the tolerance after "
+               "%u iterations",
+               control.last_value() / tolerance,
+               control.last_step());
       if (control.is_interrupted)
         outcome.reason = asked_to_stop;
     }

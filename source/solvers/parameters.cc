@@ -87,9 +87,9 @@ namespace MixedCracks
   {
     if (newton.loose_linear_tolerance < newton.tight_linear_tolerance)
       throw InputError(
-        printed("Linear solver/Loose relative tolerance: found %g; allowed are "
-                "values from 'Relative tolerance', %g, to 0.1.",
-                newton.loose_linear_tolerance,
-                newton.tight_linear_tolerance));
+        format("Linear solver/Loose relative tolerance: found %g; allowed are "
+               "values from 'Relative tolerance', %g, to 0.1.",
+               newton.loose_linear_tolerance,
+               newton.tight_linear_tolerance));
   }
 } // namespace MixedCracks

@@ -167,11 +167,11 @@ namespace MixedCracks
       steps().least_number(end_time, largest_phase_field_change == 0.);
     if (!(n > absurd_number_of_steps))
       return "";
-    return printed("at least %.3g load steps until the end time of %.6g s: "
-                   "Load stepping/Largest step, Step schedule or, with fixed "
-                   "steps, First step is far too short for it",
-                   n,
-                   end_time);
+    return format("at least %.3g load steps until the end time of %.6g s: "
+                  "Load stepping/Largest step, Step schedule or, with fixed "
+                  "steps, First step is far too short for it",
+                  n,
+                  end_time);
   }
 
 

@@ -45,11 +45,11 @@ namespace MixedCracks
       if (step > 0. && step < shortest_step * time)
         problems.push_back(
           subsection + name +
-          printed(": found %.6g s, which is lost in rounding at t = %.6g s. "
-                  "Allowed are steps from %.6g s.",
-                  step,
-                  time,
-                  shortest_step * time));
+          format(": found %.6g s, which is lost in rounding at t = %.6g s. "
+                 "Allowed are steps from %.6g s.",
+                 step,
+                 time,
+                 shortest_step * time));
     }
 
     void
@@ -72,7 +72,7 @@ namespace MixedCracks
             : given.end_time;
         const ScheduledStep &entry = given.schedule[i];
         if (entry.time < until)
-          require_seen(printed("Step schedule at %g s", entry.time),
+          require_seen(format("Step schedule at %g s", entry.time),
                        entry.step,
                        until,
                        problems);
@@ -88,9 +88,9 @@ namespace MixedCracks
     {
       if (smaller > 0. && larger > 0. && smaller > larger)
         problems.push_back(subsection + smaller_name +
-                           printed(": %.6g s is larger than ", smaller) +
+                           format(": %.6g s is larger than ", smaller) +
                            subsection + larger_name +
-                           printed(", %.6g s. It must not be.", larger));
+                           format(", %.6g s. It must not be.", larger));
     }
 
     double
@@ -134,9 +134,9 @@ namespace MixedCracks
                          ", allowed are times from 0 and steps above 0.");
       if (!schedule.empty() && entry.time <= schedule.back().time)
         throw InputError(parameter + ": found " + in_quotes(item) +
-                         printed(" behind the time %g s, allowed are "
-                                 "ascending times.",
-                                 schedule.back().time));
+                         format(" behind the time %g s, allowed are "
+                                "ascending times.",
+                                schedule.back().time));
       schedule.push_back(entry);
     }
     return schedule;
@@ -161,7 +161,7 @@ namespace MixedCracks
     require("Smallest step", given.smallest, "Largest step", given.largest);
     for (const ScheduledStep &entry : given.schedule)
     {
-      const std::string name = printed("Step schedule at %g s", entry.time);
+      const std::string name = format("Step schedule at %g s", entry.time);
       require(name, entry.step, "Largest step", given.largest);
       require("Smallest step", given.smallest, name, entry.step);
       if (entry.time == 0.)
@@ -277,16 +277,16 @@ namespace MixedCracks
   std::string
   LoadSteps::in_words() const
   {
-    std::string text = printed("first %.4g s, largest %.4g s, onset %.4g s, "
-                               "smallest %.4g s",
-                               first,
-                               largest,
-                               onset,
-                               smallest);
+    std::string text = format("first %.4g s, largest %.4g s, onset %.4g s, "
+                              "smallest %.4g s",
+                              first,
+                              largest,
+                              onset,
+                              smallest);
     for (const ScheduledStep &entry : schedule)
-      text += printed("; from %.4g s on at most %.4g s",
-                      entry.time,
-                      std::min(entry.step, largest));
+      text += format("; from %.4g s on at most %.4g s",
+                     entry.time,
+                     std::min(entry.step, largest));
     if (!derived.empty())
       text += " (derived: " + join_names(derived) + ")";
     return text;

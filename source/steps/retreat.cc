@@ -76,8 +76,7 @@ namespace MixedCracks
   void
   Retreat<dim>::carry_pressure(State &trial)
   {
-    if (elastic.is_finite())
-      elastic.carry_pressure(lagged_phase_field, trial);
+    elastic.carry_pressure(lagged_phase_field, trial);
   }
 
 

@@ -155,18 +155,18 @@ namespace MixedCracks
                                  const ActiveSetOutcome &active_set,
                                  const double            change)
   {
-    log.line(printed("  %5u %9.1e %9.1e %9.1e %8u %8u %7u %6u %7u %10.2e %6.2f",
-                     iteration,
-                     newton.first.displacement,
-                     newton.last.displacement,
-                     newton.last.pressure,
-                     static_cast<unsigned int>(active_set.n_active),
-                     static_cast<unsigned int>(active_set.n_changes),
-                     active_set.iterations,
-                     newton.iterations,
-                     newton.linear_iterations + active_set.linear_iterations,
-                     change,
-                     acceleration.factor()));
+    log.line(format("  %5u %9.1e %9.1e %9.1e %8u %8u %7u %6u %7u %10.2e %6.2f",
+                    iteration,
+                    newton.first.displacement,
+                    newton.last.displacement,
+                    newton.last.pressure,
+                    static_cast<unsigned int>(active_set.n_active),
+                    static_cast<unsigned int>(active_set.n_changes),
+                    active_set.iterations,
+                    newton.iterations,
+                    newton.linear_iterations + active_set.linear_iterations,
+                    change,
+                    acceleration.factor()));
   }
 
 

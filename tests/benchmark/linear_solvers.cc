@@ -83,12 +83,12 @@ namespace
     const std::string damage = options.damage == Damage::none   ? "intact"
                                : options.damage == Damage::half ? "half"
                                                                 : "through";
-    return printed("%u levels + %u | %s | %.0e | %.0e",
-                   options.refinements,
-                   options.adaptive_levels,
-                   damage.c_str(),
-                   options.lambda / options.mu,
-                   options.kappa);
+    return format("%u levels + %u | %s | %.0e | %.0e",
+                  options.refinements,
+                  options.adaptive_levels,
+                  damage.c_str(),
+                  options.lambda / options.mu,
+                  options.kappa);
   }
 
 
@@ -97,19 +97,19 @@ namespace
   void
   print_row(const ElasticSystem<dim> &system, const Measurement &measured)
   {
-    print(printed("| %d | %u | %u | %s | %s | %u | %.2f | %.2f | %.2f | %.2f | "
-                  "%.2f |",
-                  dim,
-                  dealii::Utilities::MPI::n_mpi_processes(MPI_COMM_WORLD),
-                  static_cast<unsigned int>(system.fields.elastic.n_dofs()),
-                  in_words(system.options).c_str(),
-                  measured.solver.c_str(),
-                  measured.iterations,
-                  measured.analysis,
-                  measured.setup,
-                  measured.solve,
-                  measured.resident,
-                  measured.peak));
+    print(format("| %d | %u | %u | %s | %s | %u | %.2f | %.2f | %.2f | %.2f | "
+                 "%.2f |",
+                 dim,
+                 dealii::Utilities::MPI::n_mpi_processes(MPI_COMM_WORLD),
+                 static_cast<unsigned int>(system.fields.elastic.n_dofs()),
+                 in_words(system.options).c_str(),
+                 measured.solver.c_str(),
+                 measured.iterations,
+                 measured.analysis,
+                 measured.setup,
+                 measured.solve,
+                 measured.resident,
+                 measured.peak));
   }
 
 
@@ -225,7 +225,7 @@ namespace
         measure<dim>("block AMG", system, arguments.tolerance);
       const Measurement direct =
         measure<dim>("direct", system, arguments.tolerance);
-      print(printed(
+      print(format(
         "| %d-d, %u | %u | %u | %.2f | %.2f | %.2f | %.2f | %.2f | %.1f | %.1f "
         "|",
         dim,
@@ -294,17 +294,17 @@ namespace
       const double seconds_solve = seconds_of(
         [&]() { solution = mumps->solve(result, system.right_hand_side); });
       print(
-        printed("| %d | %u | %u | %s | %s | %.3g | %.2f | %.2f | %.2f | %s |",
-                dim,
-                dealii::Utilities::MPI::n_mpi_processes(MPI_COMM_WORLD),
-                system.fields.elastic.n_dofs(),
-                name.c_str(),
-                mumps->ordering().c_str(),
-                mumps->n_entries_of_factors(),
-                seconds_analysis,
-                seconds_factors,
-                seconds_solve,
-                factorization.reason.c_str()));
+        format("| %d | %u | %u | %s | %s | %.3g | %.2f | %.2f | %.2f | %s |",
+               dim,
+               dealii::Utilities::MPI::n_mpi_processes(MPI_COMM_WORLD),
+               system.fields.elastic.n_dofs(),
+               name.c_str(),
+               mumps->ordering().c_str(),
+               mumps->n_entries_of_factors(),
+               seconds_analysis,
+               seconds_factors,
+               seconds_solve,
+               factorization.reason.c_str()));
     }
   }
 

@@ -224,7 +224,7 @@ namespace
       const Measurement  diagonal  = plain.measure(1e9);
       const Measurement  multigrid = quick.measure(0.);
       const unsigned int n_nodes   = plain.system.fields.phase_field.n_dofs();
-      print(printed(
+      print(format(
         "| %d | %u | %s | %.1f | %u | %.3f | %u | %u | %.3f | %u | %u | %.3f |",
         dim,
         dealii::Utilities::MPI::n_mpi_processes(MPI_COMM_WORLD),

@@ -6,13 +6,13 @@ close, cracks that close with a tiny residual stiffness, dead loads.
 usage: test_cases.py EXECUTABLE RANKS MPIRUN
 """
 
-import csv
-import json
 import pathlib
-import subprocess
 import sys
 import tempfile
 import unittest
+
+sys.path.append(str(pathlib.Path(__file__).resolve().parents[1]))
+import program  # noqa: E402
 
 EXECUTABLE, RANKS, MPIRUN = sys.argv[1], sys.argv[2], sys.argv[3:]
 
@@ -133,23 +133,13 @@ class Run:
             (directory / "case.prm").write_text(COMMON + text, encoding="utf-8")
             for file, content in files:
                 (directory / file).write_text(content, encoding="utf-8")
-            command = MPIRUN + ["-n", RANKS, EXECUTABLE, "case.prm",
-                                "--output", "results"]
-            for setting in settings:
-                command += ["--set", setting]
-            result = subprocess.run(command, cwd=directory, timeout=300,
-                                    stdout=subprocess.PIPE, text=True,
-                                    stderr=subprocess.STDOUT, check=False)
-            self.output = result.stdout
-            if result.returncode != status:
-                raise AssertionError("status %d\n%s" % (result.returncode,
-                                                        result.stdout))
+            self.output = program.output_of(
+                [*program.command(EXECUTABLE, MPIRUN, RANKS), "case.prm", "--output",
+                 "results", *program.as_options(settings)], status, cwd=directory)
             if status != 2:
                 results = directory / "results"
-                self.summary = json.loads(
-                    (results / "summary.json").read_text(encoding="utf-8"))
-                with open(results / "statistics.csv", encoding="utf-8") as file:
-                    self.rows = list(csv.DictReader(file))
+                self.summary = program.summary(results)
+                self.rows = program.rows(results)
 
     def force(self):
         return float(self.rows[-1]["force_y_N"])

@@ -10,12 +10,13 @@ shear, whose tip is driven only slightly above critical for hundreds of
 iterations, is followed until it stands. Where it stands the force has fallen,
 but the strip is not separated. rubber_strip.prm on less of the strip.
 """
-import csv
-import json
 import os
-import subprocess
+import pathlib
 import sys
 import tempfile
+
+sys.path.append(str(pathlib.Path(__file__).resolve().parents[1]))
+import program  # noqa: E402
 
 ROOT = os.path.abspath(os.path.join(os.path.dirname(__file__), "..", ".."))
 CASE = os.path.join(ROOT, "parameters", "benchmarks", "rubber_strip.prm")
@@ -28,23 +29,17 @@ ALLOWED = 0.02
 def run(command, folder, name, *settings):
     """({time: |force|}, summary) of a run."""
     directory = os.path.join(folder, name)
-    options = ["--set", "Load stepping/Stop when separated=false"]
-    for setting in SHORTER + list(settings):
-        options += ["--set", setting]
-    process = subprocess.run(command + [CASE, "--output", directory] + options,
-                             stdout=subprocess.PIPE, stderr=subprocess.STDOUT,
-                             universal_newlines=True)
-    assert process.returncode == 0, (name, process.returncode, process.stdout[-2000:])
-    with open(os.path.join(directory, "statistics.csv"), newline="") as stream:
-        forces = {round(float(row["time_s"]), 6): abs(float(row["force_y_N"]))
-                  for row in csv.DictReader(stream)}
-    with open(os.path.join(directory, "summary.json")) as stream:
-        return forces, json.load(stream)
+    options = program.as_options(
+        ["Load stepping/Stop when separated=false", *SHORTER, *settings])
+    program.output_of(command + [CASE, "--output", directory] + options, timeout=None)
+    forces = {round(float(row["time_s"]), 6): abs(float(row["force_y_N"]))
+              for row in program.rows(directory)}
+    return forces, program.summary(directory)
 
 
 def main():
     executable, ranks, mpirun = sys.argv[1:4]
-    command = [mpirun, "-n", ranks, executable]
+    command = program.command(executable, [mpirun], ranks)
     with tempfile.TemporaryDirectory() as folder:
         # the crack runs in the step to 0.4 s of the one, 0.39 to 0.4 s of the
         # other; the force is then 58 % of its peak

@@ -8,13 +8,13 @@ Columns are compared with sums done by hand here, for a square that stays even,
 so that each unknown is one number.
 """
 
-import csv
-import json
 import pathlib
-import subprocess
 import sys
 import tempfile
 import unittest
+
+sys.path.append(str(pathlib.Path(__file__).resolve().parents[1]))
+import program  # noqa: E402
 
 COMMAND = []
 LAMBDA, MU, G_C, LENGTH, KAPPA, RELAXATION = 100., 80., 1., 1., 1e-3, 0.7
@@ -110,25 +110,16 @@ class Run:
         with tempfile.TemporaryDirectory() as folder:
             folder = pathlib.Path(folder)
             (folder / "case.prm").write_text(case, encoding="utf-8")
-            command = COMMAND + [str(folder / "case.prm"), "--output",
-                                 str(folder / "results"), *arguments]
-            for setting in settings + ("Output/Field format=none",):
-                command += ["--set", setting]
-            process = subprocess.run(command, stdin=subprocess.DEVNULL,
-                                     stdout=subprocess.PIPE,
-                                     stderr=subprocess.STDOUT, text=True,
-                                     timeout=300)
-            self.log = process.stdout
-            if process.returncode != 0:
-                raise AssertionError(self.log)
+            self.log = program.output_of(
+                [*COMMAND, str(folder / "case.prm"), "--output",
+                 str(folder / "results"), *arguments,
+                 *program.as_options((*settings, "Output/Field format=none"))])
             if "--check" in arguments:
                 return
             results = folder / "results"
-            with open(results / "statistics.csv", encoding="utf-8") as file:
-                self.rows = [{name: float(value) for name, value in row.items()}
-                             for row in csv.DictReader(file)]
-            with open(results / "summary.json", encoding="utf-8") as file:
-                self.warnings = json.load(file)["warnings"]
+            self.rows = [{name: float(value) for name, value in row.items()}
+                         for row in program.rows(results)]
+            self.warnings = program.summary(results)["warnings"]
 
     def warns_of(self, words):
         return any(words in warning for warning in self.warnings)
@@ -276,5 +267,5 @@ class ImplausibleNumbersAreWarnedOf(unittest.TestCase):
 if __name__ == "__main__":
     if len(sys.argv) != 4:
         sys.exit(__doc__)
-    COMMAND = [sys.argv[2], "-n", sys.argv[3], sys.argv[1]]
+    COMMAND = program.command(sys.argv[1], [sys.argv[2]], sys.argv[3])
     unittest.main(argv=sys.argv[:1])

@@ -4,7 +4,11 @@ with an initial crack, whose boundaries have commas in their names."""
 import csv
 import json
 import os
-import subprocess
+import pathlib
+import sys
+
+sys.path.append(str(pathlib.Path(__file__).resolve().parents[1]))
+from program import as_options, command, environment, output_of  # noqa: E402
 
 N_CELLS = 20  # per side of 1 mm
 
@@ -80,18 +84,10 @@ def prepare(folder):
 
 def run(program, folder, *options, ranks=1, settings=(), status=0):
     """What the program says; its exit status has to be that one."""
-    environment = dict(os.environ, OMPI_ALLOW_RUN_AS_ROOT="1", OMP_NUM_THREADS="1",
-                       OMPI_ALLOW_RUN_AS_ROOT_CONFIRM="1",
-                       OMPI_MCA_rmaps_base_oversubscribe="1",
-                       OMPI_MCA_odls_base_sigkill_timeout="0")
-    command = program[1:] + ["-n", str(ranks), program[0]]
-    for setting in settings:
-        command += ["--set", setting]
-    result = subprocess.run(command + list(options) + ["case.prm"], cwd=folder,
-                            stdout=subprocess.PIPE, stderr=subprocess.STDOUT,
-                            text=True, timeout=240, env=environment)
-    assert result.returncode == status, (result.returncode, result.stdout)
-    return result.stdout
+    return output_of(
+        [*command(program[0], program[1:], ranks), *as_options(settings), *options,
+         "case.prm"], status, cwd=folder,
+        env=environment(OMPI_MCA_odls_base_sigkill_timeout="0"))
 
 
 def content(folder):

@@ -78,7 +78,7 @@ namespace
         : static_cast<int>(std::floor(std::log10(largest / slightly_more))) + 1;
     out << name << ", in units of 10^" << exponent << ":\n";
     for (const double value : values)
-      out << printed(
+      out << format(
         "%.8f\n", largest < negligible ? 0. : value / std::pow(10., exponent));
   }
 
@@ -123,13 +123,13 @@ namespace
       // step, crack, length, tip: the same in all rows of a crack
       if (rows[i][0] == rows.back()[0] &&
           (i + 1 == rows.size() || rows[i + 1][3] != rows[i][3]))
-        out << printed("crack %s from '%s' to '%s', mm:\n%.3f\n%.3f\n%.3f\n",
-                       rows[i][3].c_str(),
-                       rows[i][6].c_str(),
-                       rows[i][7].c_str(),
-                       std::stod(rows[i][4]),
-                       std::stod(rows[i][8]),
-                       std::stod(rows[i][9]));
+        out << format("crack %s from '%s' to '%s', mm:\n%.3f\n%.3f\n%.3f\n",
+                      rows[i][3].c_str(),
+                      rows[i][6].c_str(),
+                      rows[i][7].c_str(),
+                      std::stod(rows[i][4]),
+                      std::stod(rows[i][8]),
+                      std::stod(rows[i][9]));
   }
 
 

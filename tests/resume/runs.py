@@ -2,12 +2,13 @@
 """Short runs for the tests on checkpoints: a slit square that is torn apart in
 some ten load steps."""
 
-import csv
-import json
-import os
 import pathlib
 import re
-import subprocess
+import sys
+
+sys.path.append(str(pathlib.Path(__file__).resolve().parents[1]))
+import program
+from program import environment, rows, summary  # noqa: E402, F401
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 CASE = ROOT / "tests" / "regression" / "slit_square_at2.prm"
@@ -21,14 +22,6 @@ NOT_OF_THE_RESULT = {"ranks", "seconds_per_phase", "wall_time_s",
                      "factorizations", "newton_iterations", "rejected_steps"}
 
 
-def environment():
-    return dict(os.environ, OMPI_ALLOW_RUN_AS_ROOT="1", OMP_NUM_THREADS="1",
-                OMPI_ALLOW_RUN_AS_ROOT_CONFIRM="1",
-                OMPI_MCA_rmaps_base_oversubscribe="1",
-                OMPI_MCA_hwloc_base_binding_policy="none",
-                OMPI_MCA_btl_vader_single_copy_mechanism="none")
-
-
 class Runner:
     """Runs EXECUTABLE under LAUNCHER ("mpirun"), or without one: ()."""
 
@@ -36,32 +29,13 @@ class Runner:
         self.executable, self.launcher = executable, launcher
 
     def command(self, directory, *options, settings=(), ranks=1):
-        launch = [*self.launcher, "-n", str(ranks)] if self.launcher else []
-        command = [*launch, self.executable, str(CASE), "--output",
-                   str(directory), *options]
-        # an entry may be set once only: the last one counts
-        chosen = {setting.split("=")[0]: setting
-                  for setting in (*QUICK, *settings)}
-        for setting in chosen.values():
-            command += ["--set", setting]
-        return command
+        return [*program.command(self.executable, self.launcher, ranks), str(CASE),
+                "--output", str(directory), *options,
+                *program.as_options((*QUICK, *settings))]
 
     def __call__(self, directory, *options, settings=(), ranks=1, status=0):
-        result = subprocess.run(
-            self.command(directory, *options, settings=settings, ranks=ranks),
-            stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True,
-            timeout=300, env=environment(), check=False)
-        assert result.returncode == status, (result.returncode, result.stdout)
-        return result.stdout
-
-
-def rows(directory):
-    with open(directory / "statistics.csv", encoding="utf-8") as file:
-        return list(csv.DictReader(file))
-
-
-def summary(directory):
-    return json.loads((directory / "summary.json").read_text())
+        return program.output_of(
+            self.command(directory, *options, settings=settings, ranks=ranks), status)
 
 
 def result(directory):

@@ -5,15 +5,11 @@
 usage: test_resume.py EXECUTABLE MPIRUN
 """
 
-import csv
-import json
-import os
 import pathlib
-import subprocess
 import sys
 import tempfile
 
-from runs import generations
+from runs import generations, program, rows, summary
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 CASE = ROOT / "parameters" / "epdm" / "punctured_strip.prm"
@@ -34,19 +30,9 @@ NOT_COMPARED = {"energy_imbalance_mJ",
 
 
 def run(ranks, directory, *options, settings=(), status=0, case=(CASE, COARSE)):
-    command = sys.argv[2:] + ["-n", str(ranks), sys.argv[1], str(case[0]),
-                              "--output", str(directory), *options]
-    for setting in (*case[1], *settings):
-        command += ["--set", setting]
-    result = subprocess.run(command, stdout=subprocess.PIPE,
-                            stderr=subprocess.STDOUT, text=True, timeout=120)
-    assert result.returncode == status, (result.returncode, result.stdout)
-    return result.stdout
-
-
-def rows(directory):
-    with open(directory / "statistics.csv", encoding="utf-8") as file:
-        return list(csv.DictReader(file))
+    return program.output_of(
+        [*program.command(sys.argv[1], sys.argv[2:], ranks), str(case[0]), "--output",
+         str(directory), *options, *program.as_options((*case[1], *settings))], status)
 
 
 def compare(found, expected):
@@ -77,9 +63,6 @@ def break_newest_checkpoint(directory):
 
 
 def main():
-    os.environ.update(OMPI_ALLOW_RUN_AS_ROOT="1", OMP_NUM_THREADS="1",
-                      OMPI_ALLOW_RUN_AS_ROOT_CONFIRM="1",
-                      OMPI_MCA_rmaps_base_oversubscribe="1")
     with tempfile.TemporaryDirectory() as temporary:
         whole = pathlib.Path(temporary) / "whole"
         parts = pathlib.Path(temporary) / "parts"
@@ -136,13 +119,11 @@ def in_3d(whole, parts):
     assert int(rows(whole)[-1]["refinements"]) > 0
     assert float(rows(whole)[-1]["inside_z_mm"]) != 0.
     assert not list(whole.glob("crack_path*"))
-    summary = json.loads((whole / "summary.json").read_text())
-    assert summary["outcome"] == "not traced", summary["outcome"]
+    assert summary(whole)["outcome"] == "not traced", summary(whole)["outcome"]
     # the cells of the last mesh, refined once
     coarse = whole.with_name("coarse")
     run(1, coarse, case=(CASE_3D[0], ["Load stepping/End time=12"]))
-    coarse = json.loads((coarse / "summary.json").read_text())
-    assert summary["finest_cell_mm"] < 0.6 * coarse["finest_cell_mm"]
+    assert summary(whole)["finest_cell_mm"] < 0.6 * summary(coarse)["finest_cell_mm"]
 
 
 if __name__ == "__main__":

@@ -4,23 +4,22 @@
 Only processes that descend from one that was started here are ever touched.
 """
 import os
+import pathlib
 import signal
 import subprocess
+import sys
 import time
+
+sys.path.append(str(pathlib.Path(__file__).resolve().parents[1]))
+import program  # noqa: E402
 
 MESSAGE = "mixed-cracks: error: "
 
 
 def environment(**more):
-    """What mpirun needs on any machine, root and few cores included."""
-    names = dict(
-        OMPI_ALLOW_RUN_AS_ROOT="1", OMPI_ALLOW_RUN_AS_ROOT_CONFIRM="1",
-        OMPI_MCA_rmaps_base_oversubscribe="1",
-        OMPI_MCA_hwloc_base_binding_policy="none",
-        OMPI_MCA_btl_vader_single_copy_mechanism="none",
+    return program.environment(
         OMPI_MCA_mpi_yield_when_idle="1",  # others need the cores, too
-        OMP_NUM_THREADS="1", OPENBLAS_NUM_THREADS="1", DEAL_II_NUM_THREADS="1")
-    return dict(os.environ, **names, **more)
+        OPENBLAS_NUM_THREADS="1", DEAL_II_NUM_THREADS="1", **more)
 
 
 def status_of(pid):

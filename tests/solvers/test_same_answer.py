@@ -5,12 +5,12 @@
 usage: test_same_answer.py EXECUTABLE RANKS MPIRUN [options of mpirun]
 """
 
-import csv
-import os
 import pathlib
-import subprocess
 import sys
 import tempfile
+
+sys.path.append(str(pathlib.Path(__file__).resolve().parents[1]))
+from program import as_options, command, output_of, rows  # noqa: E402
 
 CASES = pathlib.Path(__file__).resolve().parents[1] / "regression"
 # displacement formulation, broken in two; mixed formulation, refined as the
@@ -30,19 +30,14 @@ TOLERANCE = 1e-5
 def run(case, solver, settings):
     executable, ranks, *mpirun = sys.argv[1:]
     with tempfile.TemporaryDirectory() as directory:
-        command = mpirun + ["-n", ranks, executable, str(CASES / (case + ".prm")),
-                            "--output", directory + "/results"]
-        for setting in ("Linear solver/Name=" + solver, *settings):
-            command += ["--set", setting]
-        result = subprocess.run(command, stdout=subprocess.PIPE,
-                                stderr=subprocess.STDOUT, text=True, timeout=200,
-                                env=dict(os.environ, OMP_NUM_THREADS="1"))
-        assert result.returncode == 0, (result.returncode, result.stdout)
-        named = [line for line in result.stdout.splitlines()
+        text = output_of(
+            [*command(executable, mpirun, ranks), str(CASES / (case + ".prm")),
+             "--output", directory + "/results",
+             *as_options(("Linear solver/Name=" + solver, *settings))])
+        named = [line for line in text.splitlines()
                  if line.startswith("linear solver: ")]
         assert named and named[0].startswith("linear solver: " + solver), named
-        with open(directory + "/results/statistics.csv", encoding="utf-8") as file:
-            return list(csv.DictReader(file))
+        return rows(directory + "/results")
 
 
 def compare(case, found, expected):

@@ -11,6 +11,10 @@ import subprocess
 import sys
 import time
 
+sys.path.append(str(pathlib.Path(__file__).resolve().parents[1]))
+import program
+from program import as_options  # noqa: E402, F401
+
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 CASE = ROOT / "parameters" / "epdm" / "punctured_strip.prm"
 # 24 steps of one length, before anything breaks
@@ -24,32 +28,20 @@ WAIT = 120.  # s, when the machine is busy
 
 
 def set_environment():
-    os.environ.update(OMPI_ALLOW_RUN_AS_ROOT="1", OMP_NUM_THREADS="1",
-                      OMPI_ALLOW_RUN_AS_ROOT_CONFIRM="1",
-                      OMPI_MCA_rmaps_base_oversubscribe="1",
-                      OMPI_MCA_hwloc_base_binding_policy="none",
-                      MIXED_CRACKS_PROGRAM=sys.argv[1],
-                      MIXED_CRACKS_MPIRUN=" ".join(sys.argv[2:]))
+    os.environ.update(program.environment(
+        MIXED_CRACKS_PROGRAM=sys.argv[1], MIXED_CRACKS_MPIRUN=" ".join(sys.argv[2:])))
 
 
 def direct():
-    return [sys.argv[1]]
+    return program.command(sys.argv[1])
 
 
 def by_mpirun(ranks):
-    return sys.argv[2:] + ["-n", str(ranks), sys.argv[1]]
+    return program.command(sys.argv[1], sys.argv[2:], ranks)
 
 
 def by_launcher(ranks=None):
     return [str(LAUNCHER)] + (["-n", str(ranks)] if ranks else [])
-
-
-def as_options(settings):
-    """--set for each entry; of several the last one holds."""
-    words = []
-    for setting in dict(setting.split("=", 1) for setting in settings).items():
-        words += ["--set", "=".join(setting)]
-    return words
 
 
 def start(how, directory, *options, settings=(), case=CASE, coarse=COARSE, **keywords):

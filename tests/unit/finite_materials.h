@@ -53,7 +53,9 @@ namespace MixedCracks
             for (const std::string &split : all_finite_splits().names())
               for (const bool plane_stress : {false, true})
               {
-                const bool is_sum = law == "Ogden" || law == "neo-Hooke";
+                const bool is_sum = all_hyperelastic_laws()
+                                      .make(law, HyperelasticForm())
+                                      ->is_sum_over_stretches();
                 if ((dim == 3 && plane_stress) ||
                     (split == "principal stretches" && !is_sum))
                   continue;

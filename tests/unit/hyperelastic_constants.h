@@ -9,6 +9,7 @@
 #include <cmath>
 #include <map>
 #include <random>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -27,6 +28,20 @@ namespace MixedCracks
         {"Gent", {{1., 30.}}},
         {"Ogden", {{0.63, 1.3, 0.0012, 5., -0.01, -2.}}}};
       return constants;
+    }
+
+    /// Nominal stresses of these laws, incompressible, in uniaxial, planar and
+    /// equibiaxial tension at the stretch 2; MPa.
+    inline const std::map<std::string, std::vector<double>> &
+    nominal_stresses()
+    {
+      static const std::map<std::string, std::vector<double>> stresses = {
+        {"neo-Hooke", {1.75, 1.875, 1.96875}},
+        {"Mooney-Rivlin", {1.575, 1.875, 3.15}},
+        {"Gent", {1.875, 2.027027, 2.368421}},
+        {"Yeoh", {1.554, 1.651406, 1.776889}},
+        {"Ogden", {0.6027216, 0.6856225, 0.8216148}}};
+      return stresses;
     }
 
     /// F = I + H with entries of H up to @p size, det F > 0.1; of the plane:
@@ -132,6 +147,8 @@ namespace MixedCracks
       if (law == "Gent")
         return -0.5 * c[0] * c[1] * std::log(Active(1. - x / c[1])) -
                c[0] * log;
+      if (law != "Ogden")
+        throw std::invalid_argument("no formula of " + law);
       Active sum = 0.;
       for (const Active &square : d.squared_stretches(F))
         for (int i = 0; i < 6; i += 2)

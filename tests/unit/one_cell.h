@@ -88,6 +88,26 @@ namespace MixedCracks
         return kernel.energy();
       }
 
+      /// The Jacobian against differences of the residual by these steps, and
+      /// whether it is symmetric where it says so.
+      void
+      compare_jacobian(const LocalVector &local, const LocalVector &steps)
+      {
+        const auto expected = difference_matrix(
+          [&](const LocalVector &values) { return residual(values); },
+          local,
+          steps);
+        dealii::FullMatrix<double> found(local.size(), local.size());
+        kernel.set_state(local, lagged_phase_field);
+        kernel.jacobian(found);
+        expect_equal_by_blocks(found, expected, block, 1e-6);
+        if (!kernel.jacobian_is_symmetric())
+          return;
+        dealii::FullMatrix<double> transposed(local.size(), local.size());
+        transposed.copy_transposed(found);
+        expect_equal_by_blocks(found, transposed, block, 1e-13);
+      }
+
       unsigned int
       component(const unsigned int dof) const
       {

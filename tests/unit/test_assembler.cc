@@ -2,17 +2,7 @@
 // The loops over the cells on a mesh with hanging nodes, shared by the ranks:
 // residuals summed here against the matrix summed by deal.II, and a corrected
 // matrix against a new one.
-#include "materials.h"
-
-#include <assembly/assembler.h>
-
-#include <deal.II/base/function_lib.h>
-#include <deal.II/distributed/tria.h>
-#include <deal.II/grid/grid_generator.h>
-#include <deal.II/numerics/vector_tools.h>
-
-#include <discretization/constraints.h>
-#include <discretization/sparse_matrix.h>
+#include "refined_square.h"
 
 #include <gtest/gtest.h>
 
@@ -25,27 +15,15 @@ namespace
   using dealii::Point;
   using Vector = LinearAlgebra::Vector;
 
-  // A square with refined cells in a corner and in the middle, free of loads
-  class RefinedSquare : public ::testing::Test
+  class RefinedSquare
+    : public ::testing::Test
+    , protected RefinedCells
   {
   protected:
     RefinedSquare()
-      : triangulation(MPI_COMM_WORLD)
-      , fields(triangulation, {true, 2})
-      , constraints(fields, {})
-      , material(description("volumetric-deviatoric", "relaxed bulk", 2))
+      : RefinedCells(true,
+                     description("volumetric-deviatoric", "relaxed bulk", 2))
     {
-      dealii::GridGenerator::subdivided_hyper_cube(triangulation, 4);
-      for (const auto &cell : triangulation.active_cell_iterators())
-        if (cell->is_locally_owned() &&
-            (cell->center().norm() < 0.3 ||
-             cell->center().distance({0.6, 0.6}) < 0.1))
-          cell->set_refine_flag();
-      triangulation.execute_coarsening_and_refinement();
-      fields.distribute();
-      constraints.reinit();
-      assembler = std::make_unique<Assembler<dim>>(fields, material);
-      assembler->reinit();
       make_matrix(matrix);
       residual = fields.owned_vector(fields.elastic_dofs);
     }
@@ -64,19 +42,11 @@ namespace
     Vector
     elastic_state() const
     {
-      Vector owned = fields.owned_vector(fields.elastic_dofs);
-      dealii::VectorTools::interpolate(
-        fields.mapping,
-        fields.elastic,
-        dealii::FunctionFromFunctionObjects<dim>(
-          {[](const Point<dim> &x) { return std::sin(3. * x[0] + x[1]); },
-           [](const Point<dim> &x) { return x[0] * x[1] * x[1]; },
-           [](const Point<dim> &x) { return 5. * (x[0] - 0.4); }}),
-        owned);
-      constraints.elastic_hanging_nodes().distribute(owned);
-      Vector result = fields.ghosted_vector(fields.elastic_dofs);
-      result        = owned;
-      return result;
+      return with_ghosts(
+        field([](const Point<dim> &x) { return std::sin(3. * x[0] + x[1]); },
+              [](const Point<dim> &x) { return x[0] * x[1] * x[1]; },
+              [](const Point<dim> &x) { return 5. * (x[0] - 0.4); }),
+        fields.elastic_dofs);
     }
 
     // by copying: a temporary would be moved, ghosts and all
@@ -85,24 +55,6 @@ namespace
     {
       Vector result = fields.owned_vector(dofs);
       result        = ghosted;
-      return result;
-    }
-
-    // broken around (@p x, 0.5), intact elsewhere
-    Vector
-    phase_field(const double x) const
-    {
-      Vector owned = fields.owned_vector(fields.phase_field_dofs);
-      dealii::VectorTools::interpolate(
-        fields.mapping,
-        fields.phase_field,
-        dealii::ScalarFunctionFromFunctionObject<dim>([x](const Point<dim> &p) {
-          return std::min(1., 3. * p.distance({x, 0.5}));
-        }),
-        owned);
-      constraints.phase_field_hanging_nodes().distribute(owned);
-      Vector result = fields.ghosted_vector(fields.phase_field_dofs);
-      result        = owned;
       return result;
     }
 
@@ -116,13 +68,8 @@ namespace
       which.elastic_matrix(constraints.elastic_hanging_nodes(), result);
     }
 
-    dealii::parallel::distributed::Triangulation<dim> triangulation;
-    Fields<dim>                                       fields;
-    Constraints<dim>                                  constraints;
-    const Material<dim>                               material;
-    std::unique_ptr<Assembler<dim>>                   assembler;
-    LinearAlgebra::SparseMatrix                       matrix;
-    Vector                                            residual;
+    LinearAlgebra::SparseMatrix matrix;
+    Vector                      residual;
   };
 
   // largest difference of their images of @p source

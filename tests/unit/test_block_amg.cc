@@ -150,7 +150,7 @@ TEST(BlockAmg, SolvesWithABandOfBrokenCells)
     for (const double kappa : {1e-2, 1e-6})
       for (const double lambda : {1., 1e6})
       {
-        SCOPED_TRACE(printed("kappa = %g, lambda/mu = %g", kappa, lambda));
+        SCOPED_TRACE(format("kappa = %g, lambda/mu = %g", kappa, lambda));
         EXPECT_LE(
           expect_direct_solution<2>(mixed(4, 0, lambda, kappa, damage), 1e-5),
           45u);
@@ -163,7 +163,7 @@ TEST(BlockAmg, SolvesOnAMeshWithHangingNodes)
 {
   for (const double kappa : {1e-2, 1e-6})
   {
-    SCOPED_TRACE(printed("kappa = %g", kappa));
+    SCOPED_TRACE(format("kappa = %g", kappa));
     EXPECT_LE(
       expect_direct_solution<2>(mixed(3, 2, 1e3, kappa, Damage::half), 1e-5),
       45u);
@@ -201,7 +201,7 @@ TEST(BlockAmg, SolvesTheDisplacementFormulation)
   for (const unsigned int degree : {1, 2})
     for (const double kappa : {1e-2, 1e-6})
     {
-      SCOPED_TRACE(printed("degree %u, kappa = %g", degree, kappa));
+      SCOPED_TRACE(format("degree %u, kappa = %g", degree, kappa));
       ElasticSystemOptions options = mixed(4, 1, 1.5, kappa, Damage::half);
       options.mixed                = false;
       options.degree               = degree;

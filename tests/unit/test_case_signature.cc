@@ -221,6 +221,25 @@ TEST(CaseSignature, AnotherSpellingIsNoOtherCase)
 
 
 
+TEST(CaseSignature, TheForceBoundaryInEffectIsTheDefault)
+{
+  for (const std::string displacement :
+       {"top : phase field : 1 ; right : all : 0 ; top : y : t",
+        " bottom:x:0 ; top : y : min(t, 1)",
+        "top : phase field : 1",
+        ""})
+  {
+    Case example;
+    example.set("Boundary conditions", "Displacement", displacement);
+    const CaseSignature before   = example.signature();
+    const std::string   boundary = example.parameters.force_boundary();
+    example.set("Load stepping", "Force boundary", boundary);
+    EXPECT_EQ(refusal(before, example.signature()), "") << displacement;
+  }
+}
+
+
+
 TEST(CaseSignature, GeometriesThatAreNotChosenDoNotMatter)
 {
   const auto with_size = [](const std::string &geometry) {

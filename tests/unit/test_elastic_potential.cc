@@ -2,17 +2,9 @@
 // What finite strain asks of the loops over the cells, on a mesh with hanging
 // nodes that is shared by the ranks: the potential of Newton's line search
 // against differences, the tangent times a vector, and the smallest det F.
-#include "materials.h"
+#include "refined_square.h"
 
 #include <assembly/elastic_potential.h>
-
-#include <deal.II/base/function_lib.h>
-#include <deal.II/distributed/tria.h>
-#include <deal.II/grid/grid_generator.h>
-#include <deal.II/numerics/vector_tools.h>
-
-#include <discretization/constraints.h>
-#include <discretization/sparse_matrix.h>
 
 #include <gtest/gtest.h>
 
@@ -23,8 +15,7 @@ namespace
 {
   constexpr int dim = 2;
   using dealii::Point;
-  using Vector   = LinearAlgebra::Vector;
-  using Function = std::function<double(const Point<dim> &)>;
+  using Vector = LinearAlgebra::Vector;
 
   MaterialDescription
   rubber(const bool plane_stress)
@@ -36,65 +27,19 @@ namespace
     return result;
   }
 
-  // A square with refined cells in a corner and in the middle, broken around
-  // (0.3, 0.5)
-  struct RubberSquare
+  // broken around (0.3, 0.5)
+  struct RubberSquare : RefinedCells
   {
     RubberSquare(const bool mixed, const bool plane_stress)
-      : triangulation(MPI_COMM_WORLD)
-      , fields(triangulation, {mixed, 2})
-      , constraints(fields, {})
-      , material(rubber(plane_stress))
-    {
-      dealii::GridGenerator::subdivided_hyper_cube(triangulation, 4);
-      for (const auto &cell : triangulation.active_cell_iterators())
-        if (cell->is_locally_owned() &&
-            (cell->center().norm() < 0.3 ||
-             cell->center().distance({0.6, 0.6}) < 0.1))
-          cell->set_refine_flag();
-      triangulation.execute_coarsening_and_refinement();
-      fields.distribute();
-      constraints.reinit();
-      assembler = std::make_unique<Assembler<dim>>(fields, material);
-      assembler->reinit();
-      potential = std::make_unique<ElasticPotential<dim>>(
-        fields, constraints, *assembler);
-      Vector owned = fields.owned_vector(fields.phase_field_dofs);
-      dealii::VectorTools::interpolate(
-        fields.mapping,
-        fields.phase_field,
-        dealii::ScalarFunctionFromFunctionObject<dim>([](const Point<dim> &p) {
-          return std::min(1., 3. * p.distance({0.3, 0.5}));
-        }),
-        owned);
-      constraints.phase_field_hanging_nodes().distribute(owned);
-      phi = fields.ghosted_vector(fields.phase_field_dofs);
-      phi = owned;
-    }
+      : RefinedCells(mixed, rubber(plane_stress))
+      , potential(fields, constraints, *assembler)
+      , phi(phase_field(0.3))
+    {}
 
     Vector
     ghosted(const Vector &owned) const
     {
-      Vector result = fields.ghosted_vector(fields.elastic_dofs);
-      result        = owned;
-      return result;
-    }
-
-    // without ghosts, hanging nodes fit
-    Vector
-    field(const Function &u, const Function &v, const Function &p) const
-    {
-      std::vector<Function> all = {u, v};
-      if (fields.layout.mixed)
-        all.push_back(p);
-      Vector owned = fields.owned_vector(fields.elastic_dofs);
-      dealii::VectorTools::interpolate(
-        fields.mapping,
-        fields.elastic,
-        dealii::FunctionFromFunctionObjects<dim>(all),
-        owned);
-      constraints.elastic_hanging_nodes().distribute(owned);
-      return owned;
+      return with_ghosts(owned, fields.elastic_dofs);
     }
 
     Vector
@@ -120,16 +65,11 @@ namespace
     double
     value(const Vector &owned)
     {
-      return potential->value(ghosted(owned), phi);
+      return potential.value(ghosted(owned), phi);
     }
 
-    dealii::parallel::distributed::Triangulation<dim> triangulation;
-    Fields<dim>                                       fields;
-    Constraints<dim>                                  constraints;
-    const Material<dim>                               material;
-    std::unique_ptr<Assembler<dim>>                   assembler;
-    std::unique_ptr<ElasticPotential<dim>>            potential;
-    Vector                                            phi;
+    ElasticPotential<dim> potential;
+    Vector                phi;
   };
 
   Vector
@@ -154,7 +94,7 @@ TEST(ElasticPotential, ItsSlopeIsItsDerivative)
       const Vector start = square.state(), along = square.direction();
       const double value = square.value(start);
       const double slope =
-        square.potential->slope(square.ghosted(along), square.phi);
+        square.potential.slope(square.ghosted(along), square.phi);
       const double step       = 1e-5;
       const double difference = (square.value(moved(start, step, along)) -
                                  square.value(moved(start, -step, along))) /

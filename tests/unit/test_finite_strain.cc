@@ -63,19 +63,13 @@ namespace
 
 TEST(FiniteStrain, MeetsNominalStressesInPlaneStress)
 {
-  const std::map<std::string, std::vector<double>> expected = {
-    {"neo-Hooke", {1.75, 1.875, 1.96875}},
-    {"Mooney-Rivlin", {1.575, 1.875, 3.15}},
-    {"Gent", {1.875, 2.027027, 2.368421}},
-    {"Yeoh", {1.554, 1.651406, 1.776889}},
-    {"Ogden", {0.6027216, 0.6856225, 0.8216148}}};
   for_all_rubbers<2>(1e6, [&](const MaterialDescription &material) {
     if (!material.plane_stress)
       return;
     const FiniteStrain<2> law(material);
-    const PointConstants &at         = *material.constants;
-    const auto           &stress     = expected.at(material.hyperelastic_law);
-    const double          lateral[3] = {uniaxial_lateral(law, at, 2.), 1., 2.};
+    const PointConstants &at = *material.constants;
+    const auto  &stress      = nominal_stresses().at(material.hyperelastic_law);
+    const double lateral[3]  = {uniaxial_lateral(law, at, 2.), 1., 2.};
     for (unsigned int i = 0; i < 3; ++i)
       EXPECT_NEAR(
         law.eliminated(stretched(2., lateral[i]), 1., at, false).stress[0][0] /

@@ -51,11 +51,12 @@ namespace
   expect_values(const MaterialValues &values,
                 const double          lambda,
                 const double          mu,
-                const double          toughness)
+                const double          critical_energy_release_rate)
   {
     EXPECT_NEAR(values.elastic.lambda, lambda, 1e-12 * lambda);
     EXPECT_NEAR(values.elastic.mu, mu, 1e-12 * mu);
-    EXPECT_NEAR(values.critical_energy_release_rate, toughness, 1e-14);
+    EXPECT_NEAR(
+      values.critical_energy_release_rate, critical_energy_release_rate, 1e-14);
   }
 } // namespace
 

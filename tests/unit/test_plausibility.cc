@@ -21,14 +21,14 @@ namespace
   sound_case()
   {
     MaterialRange steel{};
-    steel.lambda    = {121153.8, 121153.8};
-    steel.mu        = {80769.2, 80769.2}; // E = 210000
-    steel.toughness = {2.7, 2.7};
+    steel.lambda                       = {121153.8, 121153.8};
+    steel.mu                           = {80769.2, 80769.2}; // E = 210000
+    steel.critical_energy_release_rate = {2.7, 2.7};
     CaseScales scales;
     scales.length_scale   = 0.02;
     scales.cell_size      = 0.01;
     scales.width          = 1.;
-    scales.strength       = implied_strength("AT1", steel, 0.02);
+    scales.strength       = implied_strength("AT1", "quadratic", steel, 0.02);
     scales.onset_step     = 1e-3;
     scales.first.strain   = 1e-5;
     scales.largest.strain = 1e-2;
@@ -51,7 +51,8 @@ namespace
 TEST(Strength, IsThatOfTheClosedFormulas)
 {
   const auto strength = [](const std::string &name) {
-    return relative_strength(*all_crack_densities().make(name));
+    return relative_strength(*all_crack_densities().make(name),
+                             *all_degradations().make("quadratic", 0.));
   };
   EXPECT_NEAR(strength("AT1").stress, std::sqrt(3. / 8.), 1e-6);
   EXPECT_NEAR(strength("AT1").strain, std::sqrt(3. / 8.), 1e-3);
@@ -71,10 +72,11 @@ TEST(Strength, OfTheMaterialIsAsWideAsItsConstants)
               1.);
   EXPECT_FALSE(scales.strength.stress.varies());
   MaterialRange varied{};
-  varied.lambda                  = {0., 0.}; // E = 2 mu
-  varied.mu                      = {50., 200.};
-  varied.toughness               = {1., 4.};
-  const ImpliedStrength strength = implied_strength("AT1", varied, 1.);
+  varied.lambda                       = {0., 0.}; // E = 2 mu
+  varied.mu                           = {50., 200.};
+  varied.critical_energy_release_rate = {1., 4.};
+  const ImpliedStrength strength =
+    implied_strength("AT1", "quadratic", varied, 1.);
   EXPECT_NEAR(strength.stress.smallest, std::sqrt(3. / 8. * 100.), 1e-3);
   EXPECT_NEAR(strength.stress.largest, std::sqrt(3. / 8. * 1600.), 1e-3);
   EXPECT_NEAR(strength.strain.smallest, std::sqrt(3. / 8. / 400.), 1e-3);
@@ -155,6 +157,32 @@ TEST(Plausibility, ABodyThatWillNotBreakIsRemarkedOnOnly)
 
 
 
+// an expression needs no value outside of its boundary
+TEST(Plausibility, ALoadIsKnownWhereItHasAValueAnywhere)
+{
+  const auto size = [](const std::string &displacement,
+                       const std::string &traction) {
+    Parameters<2>            parameters;
+    dealii::ParameterHandler prm;
+    parameters.add_parameters(prm);
+    prm.enter_subsection("Boundary conditions");
+    prm.set("Displacement", displacement);
+    prm.set("Traction", traction);
+    prm.leave_subsection();
+    const dealii::BoundingBox<2> body({{0., 0.}, {4., 1.}});
+    return load_size(parameters, body, /*time=*/1.);
+  };
+  const LoadSize partly = size("top : y : t*sqrt(x-1)", "left : x : 3");
+  EXPECT_TRUE(partly.is_known);
+  EXPECT_NEAR(partly.strain, std::sqrt(3.) / 4., 1e-14);
+  EXPECT_EQ(partly.traction, 3.);
+  const LoadSize nowhere = size("top : y : t*sqrt(x-1)", "left : x : 1/(1-t)");
+  EXPECT_FALSE(nowhere.is_known);
+  EXPECT_EQ(nowhere.traction, 0.);
+}
+
+
+
 TEST(Plausibility, DamageOfTheWholeBodyIsThatOfTheFirstStepWithIt)
 {
   const auto density = all_crack_densities().make("AT1");
@@ -176,15 +204,15 @@ TEST(Plausibility, NoSentenceNamesANumberThatHasOverflown)
   MaterialRange stiff{};
   stiff.lambda                       = {1e300, 1e300};
   stiff.mu                           = {1e300, 1e300};
-  stiff.toughness                    = {1e300, 1e300};
+  stiff.critical_energy_release_rate = {1e300, 1e300};
   CaseScales scales                  = sound_case();
-  scales.strength                    = implied_strength("Wu", stiff, 1e-300);
-  scales.length_scale                = 1e300;
-  scales.cell_size                   = 1e-300;
-  scales.largest.strain              = std::numeric_limits<double>::infinity();
+  scales.strength       = implied_strength("Wu", "quadratic", stiff, 1e-300);
+  scales.length_scale   = 1e300;
+  scales.cell_size      = 1e-300;
+  scales.largest.strain = std::numeric_limits<double>::infinity();
   std::vector<std::string> sentences = warnings_about(scales);
   sentences.push_back(in_words(scales.strength));
-  scales.strength = implied_strength("Wu", stiff, 1.);
+  scales.strength = implied_strength("Wu", "quadratic", stiff, 1.);
   EXPECT_TRUE(std::isfinite(scales.strength.stress.largest));
   sentences.push_back(in_words(scales.strength));
   for (const char *const nonsense : {"inf", "nan"})

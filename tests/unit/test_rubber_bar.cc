@@ -52,6 +52,7 @@ TEST(RubberBar, BreaksAtTheEnergyOfTheThreshold)
   const auto strength = [](const double mu) {
     return rubber_strength(RubberBar(rubber("neo-Hooke", mu, {{mu}})),
                            *all_crack_densities().make("Wu"),
+                           *all_degradations().make("quadratic", 0.),
                            17. / 0.3);
   };
   EXPECT_NEAR(strength(2.40).stretch, 4.190, 1e-3);

@@ -22,6 +22,14 @@ namespace MixedCracks
     EXPECT_EQ(single_spaced(" \n"), "");
   }
 
+  TEST(Text, StartsWith)
+  {
+    EXPECT_TRUE(starts_with("alpha 1", "alpha"));
+    EXPECT_TRUE(starts_with("alpha", ""));
+    EXPECT_FALSE(starts_with("al", "alpha"));
+    EXPECT_FALSE(starts_with("the alpha", "alpha"));
+  }
+
   TEST(Text, InQuotesIsShort)
   {
     EXPECT_EQ(in_quotes("a"), "'a'");

@@ -34,6 +34,12 @@ namespace MixedCracks
                                               unsigned int       dim,
                                               const std::string &parameter);
 
+  /// The number of a boundary or material, which is what @p kind says: an
+  /// integer from 0 to 1e9. Throws InputError naming @p parameter otherwise.
+  unsigned int read_id(const std::string &text,
+                       const std::string &kind,
+                       const std::string &parameter);
+
   /// @p n cells on an edge when each is @p factor times as long: at least one.
   unsigned int coarser_number(unsigned int n, double factor);
 

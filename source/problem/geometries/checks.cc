@@ -125,4 +125,18 @@ namespace MixedCracks
               std::to_string(dim) + " numbers.");
     return result;
   }
+
+
+
+  unsigned int
+  read_id(const std::string &text,
+          const std::string &kind,
+          const std::string &parameter)
+  {
+    const double number = parse_number(text, parameter);
+    require(number >= 0. && number <= 1e9 && number == std::floor(number),
+            parameter + ": the " + kind + " id " + in_quotes(text) +
+              " is no integer from 0 to 1000000000.");
+    return static_cast<unsigned int>(number);
+  }
 } // namespace MixedCracks

@@ -43,17 +43,6 @@ namespace MixedCracks
       return *behind == '\0';
     }
 
-
-
-    dealii::types::boundary_id
-    parsed_id(const std::string &text, const std::string &parameter)
-    {
-      const double number = parse_number(text, parameter);
-      require(number >= 0. && number <= 1e9 && number == std::floor(number),
-              parameter + ": the boundary id " + in_quotes(text) +
-                " is no integer from 0 to 1000000000.");
-      return static_cast<dealii::types::boundary_id>(number);
-    }
   } // namespace
 
 
@@ -126,7 +115,7 @@ namespace MixedCracks
       name.id = first_free_id + static_cast<unsigned int>(result.size());
       if (is_number(name.key))
       {
-        name.id  = parsed_id(name.key, parameter);
+        name.id  = read_id(name.key, "boundary", parameter);
         name.key = std::to_string(name.id);
       }
       require(keys.insert(name.key).second,

@@ -153,14 +153,6 @@ namespace MixedCracks
   namespace
   {
     bool
-    starts_with(const std::string &line, const std::string &word)
-    {
-      return line.compare(0, word.size(), word) == 0;
-    }
-
-
-
-    bool
     is_binary(const std::string &text)
     {
       return std::any_of(text.begin(), text.end(), [](const char c) {

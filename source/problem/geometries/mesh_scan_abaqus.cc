@@ -105,7 +105,7 @@ namespace MixedCracks
              const CellKind    &kind)
       {
         const auto begins = [&](const char *word) {
-          return type.compare(0, std::string(word).size(), word) == 0;
+          return starts_with(type, word);
         };
         const bool is_line = begins("T2D") || begins("T3D") || begins("B2") ||
                              begins("B3") || begins("R2D") || begins("RB") ||
@@ -140,7 +140,7 @@ namespace MixedCracks
                  const std::size_t  n_nodes,
                  const std::string &line)
       {
-        const bool  is_solid = type.compare(0, 3, "C3D") == 0;
+        const bool  is_solid = starts_with(type, "C3D");
         std::string what =
           n_nodes == 3 ? "triangles"
           : n_nodes == 4 && is_solid
@@ -199,7 +199,7 @@ namespace MixedCracks
       if (use == Use::cell)
       {
         element.cell        = static_cast<long int>(contents.cells.size());
-        const bool is_block = upper_case(set).compare(0, 2, "EB") == 0;
+        const bool is_block = starts_with(upper_case(set), "EB");
         contents.cells.push_back(
           {entry[0], nodes, is_block ? trailing_number(set, 0) : 0});
       }
@@ -371,7 +371,7 @@ namespace MixedCracks
       for (std::size_t i = 0; i < lines.size(); ++i)
       {
         std::string line = lines[i];
-        if (line.compare(0, 2, "**") == 0)
+        if (starts_with(line, "**"))
           continue;
         // a keyword goes on in the next line after a comma
         if (line[0] == '*')
