@@ -11,13 +11,17 @@
 
 curves: force over displacement of all runs; runs whose names differ in the last
 word (fine_1, fine_2) share a colour. --reference takes CSV files with columns
-displacement_mm, force_N_per_mm (or force_N) and, if they belong to runs, name.
+displacement_mm, force_N_per_mm (or force_N) and, if they belong to runs, name: that
+of a run, or the last word of several (1: fine_1, coarse_1). displacement_minus_mm,
+displacement_plus_mm, force_minus and force_plus say how far tests scatter about the
+mean, and are drawn as bars.
 
 cracks: the phase field at the end of every run, with the path of the crack where
 the run has written a crack_path.csv.
 
-compare: peak displacement and force compared with those of a CSV file with columns
-name, displacement_mm, force_N_per_mm; lines with # are comments.
+compare: peak displacement and force compared with those of a CSV file as that of
+--reference, with names; lines with # are comments. Where tests scatter, it says which
+figures lie within, and how many.
 
 paths: how far the crack paths of two runs lie apart at the end.
 
@@ -130,8 +134,7 @@ def write_curves(runs, arguments):
 def table(runs, arguments):
     """The text, where it goes to the screen."""
     from sweep_parts import study_compare
-    text = study_compare.written(runs,
-                                 study_compare.read_peaks(arguments.reference))
+    text = study_compare.written(runs, study_compare.Peaks(arguments.reference))
     if arguments.output is None:
         return text
     with open(arguments.output, "w", encoding="utf-8") as stream:

@@ -3,8 +3,9 @@
 from . import studies
 
 HEAD = ("| run | displacement at peak (mm) | reference | deviation | "
-        "peak force (N/mm) | reference | deviation |\n"
+        "peak force (%s) | reference | deviation |\n"
         "|---|---:|---:|---:|---:|---:|---:|\n")
+UNITS = {"force_N_per_mm": "N/mm", "force_N": "N"}
 NONE = "–"
 
 
@@ -18,37 +19,68 @@ def shown(value):
     return NONE if value is None else "%.4g" % value
 
 
-def read_peaks(path):
-    """{name: (displacement, force per thickness)}."""
-    peaks = {}
-    for name, displacement, force, unit in studies.read_reference(path, True):
-        if unit != "force_N_per_mm":
-            raise studies.StudyError("%s: forces are expected in force_N_per_mm" % path)
-        if name in peaks:
-            raise studies.StudyError("%s: '%s' is given twice" % (path, name))
-        peaks[name] = displacement, force
-    return peaks
+class Peaks:
+    """The references of a file, by name, and how many of their figures are met."""
+
+    def __init__(self, path):
+        self.by_name = {}
+        for reference in studies.read_reference(path, True):
+            if reference.name in self.by_name:
+                raise studies.StudyError("%s: '%s' is given twice"
+                                         % (path, reference.name))
+            self.by_name[reference.name] = reference
+        self.unit = next((r.unit for r in self.by_name.values()), studies.FORCES[0])
+        self.compared = set()
+        self.counts = {}  # {group of runs: [met, of how many]}
+
+    def of(self, run):
+        name = studies.reference_of(run.name, self.by_name)
+        self.compared.add(name)
+        return self.by_name.get(name)
+
+    def cells(self, run, reference, ours, which):
+        """Ours, the reference's and the deviation; which: 0 displacement, 1 force."""
+        if reference is None:
+            return [shown(ours), NONE, NONE]
+        mean = (reference.displacement, reference.force)[which]
+        cells = [shown(ours), shown(mean), deviation(ours, mean)]
+        if reference.scatter is not None:
+            low, high = reference.scatter[which]
+            cells[1] += " (%.4g to %.4g)" % (low, high)
+            if ours is not None:
+                within = low <= ours <= high
+                count = self.counts.setdefault(run.group, [0, 0])
+                count[0] += within
+                count[1] += 1
+                cells[2] += ", within" if within else ", **outside**"
+        return cells
+
+    def remarks(self):
+        found = ["%s: %d of %d figures lie within the scatter." % (group, *count)
+                 for group, count in self.counts.items()]
+        missing = [name for name in self.by_name if name not in self.compared]
+        if missing:
+            found.append("In the reference only: %s." % ", ".join(missing))
+        return found
 
 
 def written(runs, peaks):
-    text, remarks = HEAD, []
+    text, remarks = HEAD % UNITS[peaks.unit], []
     for run in runs:
         displacement, force = run.peak or (None, None)
-        if force is not None and run.thickness is None:
-            remarks.append("%s: the thickness is not known." % run.name)
-            force = None
-        elif force is not None:
-            force /= run.thickness
+        if force is not None and peaks.unit == "force_N_per_mm":
+            if run.thickness is None:
+                remarks.append("%s: the thickness is not known." % run.name)
+                force = None
+            else:
+                force /= run.thickness
         if run.summary.get("exit_status") != 0:
             remarks.append("%s has not finished: the peak is that of the steps so far."
                            % run.name)
-        reference = peaks.get(run.name, (None, None))
-        cells = [run.name, shown(displacement), shown(reference[0]),
-                 deviation(displacement, reference[0]), shown(force),
-                 shown(reference[1]), deviation(force, reference[1])]
-        text += "| %s |\n" % " | ".join(cells)
-    missing = [name for name in peaks if name not in [run.name for run in runs]]
-    if missing:
-        remarks.append("In the reference only: %s." % ", ".join(missing))
+        reference = peaks.of(run)
+        text += "| %s |\n" % " | ".join([run.name] +
+                                        peaks.cells(run, reference, displacement, 0) +
+                                        peaks.cells(run, reference, force, 1))
+    remarks += peaks.remarks()
     return text + ("\n" + "".join("- %s\n" % remark for remark in remarks)
                    if remarks else "")

@@ -41,25 +41,70 @@ def styles_of(runs):
     return styles
 
 
+class ReferenceCurve:
+    """Points of a file that belong together; bars where tests scatter."""
+
+    def __init__(self, label, name, points):
+        self.label, self.name = label, name
+        self.x = np.array([point.displacement for point in points])
+        self.y = np.array([point.force for point in points])
+        self.bars = None  # below and above of x, and of y
+        if points[0].scatter is not None:
+            ranges = np.array([point.scatter for point in points])
+            self.bars = [np.abs(ranges[:, k].T - mean)
+                         for k, mean in enumerate((self.x, self.y))]
+
+    def scale_forces(self, factor):
+        self.y *= factor
+        if self.bars:
+            self.bars[1] *= factor
+
+    def draw(self, axes, color):
+        if self.bars:
+            axes.errorbar(self.x, self.y, xerr=self.bars[0], yerr=self.bars[1],
+                          fmt="x", color=color, ms=7, mew=1.6, lw=1., capsize=2.5,
+                          label=self.label)
+        elif len(self.x) > 2:
+            axes.plot(self.x, self.y, ls=(0, (1, 1.5)), color=color, lw=2.2,
+                      label=self.label)
+        else:
+            axes.plot(self.x, self.y, "x", color=color, ms=8, mew=2.,
+                      label=self.label)
+
+
 def reference_curves(paths, runs, per_thickness):
-    """[(label, displacements, forces, name of the run it belongs to)]."""
+    """[ReferenceCurve], with forces as the curves of the runs have them."""
     found = []
-    thickness = {run.name: run.thickness for run in runs}
     for path in paths:
         groups = {}
-        for name, x, y, unit in studies.read_reference(path, False):
-            if (unit == "force_N_per_mm") != per_thickness:
-                t = thickness.get(name, next(iter(thickness.values())))
+        for point in studies.read_reference(path, False):
+            groups.setdefault(point.name, []).append(point)
+        stem = os.path.splitext(os.path.basename(path))[0]
+        for name, points in groups.items():
+            curve = ReferenceCurve((stem + " " + name).strip(), name, points)
+            if (points[0].unit == "force_N_per_mm") != per_thickness:
+                t = thickness_for(name, runs)
                 if t is None:
                     raise studies.StudyError(
                         "%s: no run tells its thickness, which its forces need" % path)
-                y = y / t if per_thickness else y * t
-            groups.setdefault(name, []).append((x, y))
-        stem = os.path.splitext(os.path.basename(path))[0]
-        for name, points in groups.items():
-            found.append(((stem + " " + name).strip(),) + tuple(np.array(points).T)
-                         + (name,))
+                curve.scale_forces(1. / t if per_thickness else t)
+            found.append(curve)
     return found
+
+
+def runs_for(name, runs):
+    return [run for run in runs if studies.reference_of(run.name, (name,))]
+
+
+def thickness_for(name, runs):
+    """Of the runs that a reference belongs to, or of the first one."""
+    return (runs_for(name, runs) or runs)[0].thickness
+
+
+def color_for(name, runs, styles):
+    """That of the run, if the reference belongs to one only."""
+    own = runs_for(name, runs)
+    return styles[own[0].name][0] if len(own) == 1 else curves.INK
 
 
 def draw(runs, title, per_thickness, references):
@@ -84,12 +129,8 @@ def draw(runs, title, per_thickness, references):
             x, y = run.results.column("displacement_mm"), scale * run.force.values
             axes.plot(x, y, ls=dash, color=color, lw=1.5, label=run.name)
             axes.plot(x[run.force.peak], y[run.force.peak], "o", color=color, ms=4)
-        for label, x, y, name in references:
-            color = styles[name][0] if name in styles else curves.INK
-            if len(x) > 2:
-                axes.plot(x, y, ls=(0, (1, 1.5)), color=color, lw=2.2, label=label)
-            else:
-                axes.plot(x, y, "x", color=color, ms=8, mew=2., label=label)
+        for reference in references:
+            reference.draw(axes, color_for(reference.name, drawn, styles))
         axes.axhline(0., color=curves.GREY, lw=0.7)
         axes.set_xlim(left=min(0., axes.dataLim.x0))
         axes.set_ylim(bottom=min(0., axes.dataLim.y0))

@@ -397,6 +397,29 @@ class Studies(Case):
             process = self.study("compare", self.path("r.csv"), status=2)
             self.assertIn(word, process.stderr)
 
+    def test_scatter(self):
+        head = ("name,displacement_mm,displacement_minus_mm,displacement_plus_mm,"
+                "force_N,force_minus,force_plus\n")
+        synthetic_run.write(self.path("tests.csv"), head + "2,19,2,1,170,5,5\n")
+        # rows with the last word of a name belong to it
+        lines = self.study("compare", self.path("tests.csv")).stdout.splitlines()
+        self.assertIn("| soft_2 | 20 | 19 (17 to 20) | +5.3 %, within | 160 | "
+                      "170 (165 to 175) | -5.9 %, **outside** |", lines)
+        self.assertIn("- soft: 1 of 2 figures lie within the scatter.", lines)
+        self.assertNotIn("hard: ", "".join(lines))
+        self.study("curves", "--output", self.path("c.svg"), "--only", "soft_2",
+                   "--reference", self.path("tests.csv"))
+        with_bars = self.text("c.svg")
+        synthetic_run.write(self.path("tests.csv"),
+                            "name,displacement_mm,force_N\n2,19,170\n")
+        self.study("curves", "--output", self.path("c.svg"), "--only", "soft_2",
+                   "--reference", self.path("tests.csv"))
+        self.assertGreater(with_bars.count("<path"), self.text("c.svg").count("<path"))
+        synthetic_run.write(self.path("tests.csv"),
+                            head.replace(",force_plus", "") + "2,19,2,1,170,5\n")
+        self.assertIn("there is no force_plus", self.study(
+            "compare", self.path("tests.csv"), status=2).stderr)
+
     def test_paths(self):
         header = "step,crack,x_mm,y_mm\n"
         a, b = self.path("out", "soft_1"), self.path("out", "soft_2")
