@@ -169,6 +169,9 @@ namespace MixedCracks
 
     double degradation(double phase_field) const;
 
+    double degradation_for_energy(const ElasticPoint<dim> &point,
+                                  double                   phase_field) const;
+
     void displacement_block(unsigned int                q,
                             dealii::FullMatrix<double> &result) const;
 

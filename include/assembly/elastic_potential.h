@@ -35,11 +35,6 @@ namespace MixedCracks
     /// own; N.
     double slope(const Vector &direction, const Vector &lagged_phase_field);
 
-    /// @p elastic with the pressure for which its displacements fulfil the
-    /// constraint, with ghosts; as it is in the displacement formulation.
-    const Vector &eliminated(const Vector &elastic,
-                             const Vector &lagged_phase_field);
-
   private:
     /// At `state`, whatever its pressure.
     double present_value(const Vector &lagged_phase_field);

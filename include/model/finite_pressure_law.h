@@ -13,7 +13,7 @@ namespace MixedCracks
   {
     double distortion; ///< a, dimensionless
     double volume;     ///< s, dimensionless
-    double compliance; ///< 1/lambda_d, 1/MPa
+    double compliance; ///< s^2/lambda_d, 1/MPa
     double driving;    ///< p drives the crack with D = ... + driving p theta
   };
 

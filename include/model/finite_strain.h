@@ -63,7 +63,7 @@ namespace MixedCracks
                           const PointConstants &at) const;
 
     /// What @p pressure, which the constraint gave for @p g_before, becomes
-    /// with @p g_after when the displacement stays; MPa. It keeps its sign.
+    /// with @p g_after when the displacement stays; MPa.
     double pressure_after(double                pressure,
                           double                g_before,
                           double                g_after,
@@ -91,8 +91,9 @@ namespace MixedCracks
                              double                g,
                              const PointConstants &at) const;
 
-    /// det F, in 2-d of the part in the plane: what must stay positive.
-    static double determinant(const Gradient &gradient);
+    /// det(I + gamma(g) grad u), in 2-d of the part in the plane: what must
+    /// stay positive.
+    double determinant(const Gradient &gradient, double g) const;
 
     /// J, with F_33.
     double volume_ratio(const Gradient       &gradient,
@@ -130,6 +131,12 @@ namespace MixedCracks
     FinitePressureCoefficients
     coefficients(double sign, double g, const PointConstants &at) const;
 
+    double share_of_law(double g) const;
+
+    double linear_energy(const Gradient       &gradient,
+                         double                g,
+                         const PointConstants &at) const;
+
     double stretch_at_pressure(const Gradient       &gradient,
                                double                pressure,
                                double                g,
@@ -157,6 +164,7 @@ namespace MixedCracks
     ElasticResponse<dim> in_body(Full &full, bool with_tangent) const;
 
     bool plane_stress;
+    bool resists_closure; ///< broken material does, by the split
     bool is_one_constant; ///< neo-Hooke, which may take at.mu
     std::unique_ptr<VolumetricForm>    form;
     std::unique_ptr<HyperelasticLaw>   law;

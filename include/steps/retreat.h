@@ -31,10 +31,6 @@ namespace MixedCracks
     /// with (u, p) of there.
     void go_back(State &trial);
 
-    /// Let the pressure of a trial that has left the equilibrium by its lagged
-    /// phase field alone follow it, see ElasticStep::carry_pressure().
-    void carry_pressure(State &trial);
-
   private:
     ElasticStep<dim>     &elastic;
     LinearAlgebra::Vector solution;           // (u, p)

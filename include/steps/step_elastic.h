@@ -74,10 +74,10 @@ namespace MixedCracks
       return assembler.is_finite();
     }
 
-    /// Let the pressure of the trial follow its lagged phase field, which was
-    /// @p before when (u, p) were found: at finite strain the law is far from
-    /// linear in a pressure that intact material would carry. Collective.
-    void carry_pressure(const LinearAlgebra::Vector &before, State &trial);
+    /// Take back the lagged phase field of @p trial to @p before where it turns
+    /// broken cells inside out.
+    void stay_admissible(const LinearAlgebra::Vector &before,
+                         State                       &trial) const;
 
     /// Whether no cell is turned inside out: det F > 0 at all quadrature
     /// points. Always so at small strain. Collective.

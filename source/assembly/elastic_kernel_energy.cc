@@ -41,6 +41,23 @@ namespace MixedCracks
 
 
 
+  // A point that is broken with the lagged phase field may be turned inside
+  // out: where it would have an infinite energy with a phase field that is a
+  // little larger, it counts as broken.
+  template <int dim>
+  double
+  ElasticKernel<dim>::degradation_for_energy(const ElasticPoint<dim> &point,
+                                             const double phase_field) const
+  {
+    const double g = degradation(phase_field);
+    return material.is_finite() &&
+               !(material.finite().determinant(point.gradient, g) > 0.)
+             ? point.degradation
+             : g;
+  }
+
+
+
   // The same strains with another phase field: p follows from the constraint
   // with the new g, which keeps u, and E(u, phi) of the energy balance is
   // evaluated with phi and not with phi~.
@@ -52,7 +69,7 @@ namespace MixedCracks
     for (unsigned int q = 0; q < states.size(); ++q)
     {
       const ElasticPoint<dim> &point = states[q];
-      const double             g     = degradation(phase_field[q]);
+      const double g = degradation_for_energy(point, phase_field[q]);
       sum +=
         geometry->weights[q] *
         material.elastic_energy(

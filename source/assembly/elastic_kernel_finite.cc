@@ -128,7 +128,8 @@ namespace MixedCracks
     double smallest = std::numeric_limits<double>::infinity();
     for (const ElasticPoint<dim> &point : states)
     {
-      const double determinant = FiniteStrain<dim>::determinant(point.gradient);
+      const double determinant =
+        material.finite().determinant(point.gradient, point.degradation);
       // what is no number is no volume either
       if (!(determinant >= smallest))
         smallest = std::isnan(determinant)

@@ -195,17 +195,6 @@ namespace MixedCracks
 
 
   template <int dim>
-  const Vector &
-  ElasticPotential<dim>::eliminated(const Vector &elastic,
-                                    const Vector &lagged_phase_field)
-  {
-    value(elastic, lagged_phase_field);
-    return state;
-  }
-
-
-
-  template <int dim>
   double
   ElasticPotential<dim>::present_value(const Vector &lagged_phase_field)
   {

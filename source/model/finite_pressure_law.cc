@@ -6,24 +6,33 @@
 //   P = dPi/dF = a dW~/dF + s p theta' dJ/dF,
 //   dPi/dp = s theta - compliance p = 0,
 //
-// so that the matrix is symmetric for every law; p is positive in tension.
+// so that the matrix is symmetric for every law; p is positive in tension. It
+// is the pressure of the undamaged part of the material: s p is transmitted.
 //
-//   law           where   a   s   compliance               driving
-//   relaxed bulk  fades   g   1   1/lambda' + (1-g)/(g c mu)   1/g       (M13)
-//                 else    g   1   1/lambda'                    0
-//   cubic         fades   g   b   1/lambda'                    3 phi     (M13b)
-//                 else    g   1   1/lambda'                    0
+//   law           where   a   s    compliance                 driving
+//   relaxed bulk  fades   g   g    g^2/lambda' + g(1-g)/(c mu)   1      (M13)
+//                 else    g   1    1/lambda'                     0
+//   cubic         fades   g   b^2  b^2/lambda'                   3 b phi (M13b)
+//                 else    g   1    1/lambda'                     0
 //
 //   g = (1-kappa) phi^2 + kappa,   b = (1-kappa) phi^3 + kappa.
+//
+// (M13) and (M13b) are written with the transmitted pressure s p (b p for the
+// cubic law) and say the same at a point. As the continuous unknown this p does
+// better: g falls by four orders of magnitude within a cell beside a crack, and
+// so does s p, which linear elements cannot follow; in plane stress, where F_33
+// depends on s p/g, that made the cells beside a crack collapse.
 //
 // It fades for both signs of p, or with the volumetric split where p > 0. What
 // drives the crack (M15) is D = 2 W~ + driving p theta = 2 Psi+:
 //
-//   relaxed bulk   Psi+ = W~ + p theta/(2 g), as at small strains (M8)
-//   cubic          -d/dphi of Pi, over (1-kappa) phi: 2 W~ + 3 phi p theta.
+//   relaxed bulk   Psi+ = W~ + p theta/2, as at small strains (M8)
+//   cubic          -d/dphi of aW~ + b (bp) theta - (bp)^2/(2 lambda') at a
+//   fixed
+//                  bp, over (1-kappa) phi: 2 W~ + 3 phi b p theta.
 //
-// (M13) has no source but (M8); (M13b) is that of Y.-S. Ang, B. Li and
-// N. Bouklas.
+// (M13) has no source but (M8); (M13b) is that of I. Ang, N. Bouklas and B. Li,
+// Int. J. Numer. Methods Engrg. 123 (2022).
 
 #include <model/finite_pressure_law.h>
 
@@ -56,7 +65,7 @@ namespace MixedCracks
         if (!fades)
           return {g, 1., intact, 0.};
         return {
-          g, 1., intact + (1. / g - 1.) / (relaxation * moduli.mu), 1. / g};
+          g, g, g * (g * intact + (1. - g) / (relaxation * moduli.mu)), 1.};
       }
 
     private:
@@ -83,7 +92,9 @@ namespace MixedCracks
           return {g, 1., intact, 0.};
         const double phi =
           std::sqrt(std::max(degradation - kappa, 0.) / (1. - kappa));
-        return {g, (1. - kappa) * phi * phi * phi + kappa, intact, 3. * phi};
+        const double b = std::max((1. - kappa) * phi * phi * phi + kappa,
+                                  smallest_degradation);
+        return {g, b * b, b * b * intact, 3. * b * phi};
       }
 
     private:
@@ -108,13 +119,13 @@ namespace MixedCracks
     static const Registry<FinitePressureLaw, FinitePressureConstants> list(
       "pressure law at finite strain",
       {{"relaxed bulk",
-        "(J - 1, q) - (1/lambda' + (1-g)/(g c mu)) (p, q) = 0, the momentum "
-        "balance carries p; the volumetric constraint fades with the shear "
+        "g (J - 1, q) - (g^2/lambda' + g(1-g)/(c mu)) (p, q) = 0, the momentum "
+        "balance carries g p; the volumetric constraint fades with the shear "
         "stiffness, so that cracks open",
         make<RelaxedBulk>},
        {"cubic",
-        "b (J - 1, q) - 1/lambda' (p, q) = 0, the momentum balance carries b "
-        "p, b = (1-kappa) phi^3 + kappa (Ang, Li and Bouklas)",
+        "b^2 (J - 1, q) - b^2/lambda' (p, q) = 0, the momentum balance carries "
+        "b^2 p, b = (1-kappa) phi^3 + kappa (Ang, Li and Bouklas)",
         make<Cubic>}});
     return list;
   }

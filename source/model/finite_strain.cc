@@ -5,8 +5,8 @@
 //
 //   Pi(F, p) = a W~(F) + s p theta(J) - c p^2/2                 (M13), (M13b)
 //
-// with a, s, c of FinitePressureLaw (c = 1/lambda_d), W~ of HyperelasticLaw and
-// theta of VolumetricForm, J - 1 in the coupled form:
+// with a, s, c of FinitePressureLaw (c = s^2/lambda_d), W~ of HyperelasticLaw
+// and theta of VolumetricForm, J - 1 in the coupled form:
 //
 //   P   = a dW~/dF + p N,   N = s theta' dJ/dF                   3 x 3, MPa
 //   R_p = s theta - c p                                           no unit
@@ -21,7 +21,9 @@
 //   A_ijkl - A_ij33 A_33kl/A_3333,   N_ij - A_ij33 N_33/A_3333,
 //   -(c + N_33^2/A_3333),
 //
-// A_3333 > 0, or there is no F_33 (finite_strain_kinematics.cc). With a split
+// A_3333 > 0, or there is no F_33 (finite_strain_kinematics.cc). In material
+// that is nearly broken gamma grad u stands for grad u, and a linear part is
+// added (energy_interpolation.cc). With a split
 // of the pressure, a, s and c depend on the sign of p, which is that of theta
 // where p is eliminated; s and c jump there, and s p and p^2 do not.
 //
@@ -85,6 +87,27 @@ namespace MixedCracks
       by_pressure -= normal * normal / stiffness;
     }
 
+    // P(H) -> gamma P(gamma H) + (1 - gamma^2) g mu H, and the tangents;
+    // @p stiffness: g mu
+    template <int dim>
+    void
+    interpolate(const Tensor<2, dim> &gradient,
+                const double          share,
+                const double          stiffness,
+                ElasticResponse<dim> &response)
+    {
+      if (share == 1.)
+        return;
+      const double linear = (1. - share * share) * stiffness;
+      response.stress *= share;
+      response.stress += linear * gradient;
+      response.finite->coupling *= share;
+      response.finite->stress_by_gradient *= share * share;
+      for (unsigned int i = 0; i < dim; ++i)
+        for (unsigned int j = 0; j < dim; ++j)
+          response.finite->stress_by_gradient[i][j][i][j] += linear;
+    }
+
     HyperelasticForm
     form_of(const MaterialDescription &description, const bool isochoric)
     {
@@ -139,6 +162,7 @@ namespace MixedCracks
         FinitePressureConstants{description.relaxation,
                                 description.residual_stiffness}))
   {
+    resists_closure = !split->fades(-1.);
     is_one_constant = law->constant_names().size() == 1;
     if (split->only_stretches_drive && !law->is_sum_over_stretches())
       throw InputError("Energy split = " + description.energy_split +
@@ -257,9 +281,12 @@ namespace MixedCracks
     const auto deformation = at_pressure(gradient, pressure, g, at);
     if (!deformation)
       return undefined_response<dim>();
-    Full full = in_space(
-      *deformation, pressure, coefficients(pressure, g, at), at, with_tangent);
-    return in_body(full, with_tangent);
+    const FinitePressureCoefficients now = coefficients(pressure, g, at);
+    Full full = in_space(*deformation, pressure, now, at, with_tangent);
+    ElasticResponse<dim> result = in_body(full, with_tangent);
+    interpolate(
+      gradient, share_of_law(g), now.distortion * moduli(at).mu, result);
+    return result;
   }
 
 
@@ -285,6 +312,8 @@ namespace MixedCracks
     result.constraint             = 0.;
     result.constraint_by_pressure = 0.;
     result.finite->coupling       = 0.;
+    interpolate(
+      gradient, share_of_law(g), now.distortion * moduli(at).mu, result);
     return result;
   }
 

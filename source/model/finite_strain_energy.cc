@@ -44,6 +44,21 @@ namespace MixedCracks
 
 
 
+  // (1 - gamma^2) mu/2 |H|^2: of broken material, without its g
+  template <int dim>
+  double
+  FiniteStrain<dim>::linear_energy(const Gradient       &gradient,
+                                   const double          g,
+                                   const PointConstants &at) const
+  {
+    const double share = share_of_law(g);
+    return share == 1. ? 0.
+                       : 0.5 * (1. - share * share) * moduli(at).mu *
+                           gradient.norm_square();
+  }
+
+
+
   template <int dim>
   double
   FiniteStrain<dim>::driving_force(const Gradient       &gradient,
@@ -61,7 +76,7 @@ namespace MixedCracks
     if (split->drives(pressure))
       force += coefficients(pressure, g, at).driving * pressure *
                form->measure(deformation->volume_change).value;
-    return force;
+    return force + 2. * linear_energy(gradient, g, at);
   }
 
 
@@ -79,11 +94,10 @@ namespace MixedCracks
 
 
 
-  // By the ratio of the pressures that the constraint gives at this point,
-  // which in plane stress differ through F_33 too: there p falls about as g,
-  // where s/c may fall by a thousand. The discrete p solves the constraint in
-  // the mean only, so that it is scaled. Where the ratio says nothing, as with
-  // p = 0, it is that of the stiffnesses.
+  // The discrete p solves the constraint in the mean only. In plane stress it
+  // changes by as much as the pressures that the constraint gives at this
+  // point, which differ through F_33 too; else by the ratio of the stiffnesses,
+  // since J - 1 at a point of nearly incompressible material is not p/lambda.
   template <int dim>
   double
   FiniteStrain<dim>::pressure_after(const double          pressure,
@@ -96,11 +110,9 @@ namespace MixedCracks
       return pressure;
     if (plane_stress)
     {
-      const double ratio = this->pressure(gradient, g_after, at) /
-                           this->pressure(gradient, g_before, at);
-      if (std::isfinite(ratio) && ratio > 0.)
-        return ratio * pressure;
-      return g_before > 0. ? pressure * g_after / g_before : 0.;
+      const double change = this->pressure(gradient, g_after, at) -
+                            this->pressure(gradient, g_before, at);
+      return std::isfinite(change) ? pressure + change : pressure;
     }
     const FinitePressureCoefficients before =
       coefficients(pressure, g_before, at);
@@ -125,7 +137,8 @@ namespace MixedCracks
     if (!deformation)
       return {undefined, undefined, undefined};
     const FinitePressureCoefficients now = coefficients(pressure, g, at);
-    return {now.distortion * law->energy(*deformation, law_constants(at)),
+    return {now.distortion * law->energy(*deformation, law_constants(at)) +
+              now.distortion * linear_energy(gradient, g, at),
             now.volume * form->measure(deformation->volume_change).value,
             now.compliance};
   }
@@ -144,20 +157,9 @@ namespace MixedCracks
     const double theta = form->measure(deformation->volume_change).value;
     const FinitePressureCoefficients now    = coefficients(theta, g, at);
     const double                     volume = now.volume * theta;
-    return now.distortion * law->energy(*deformation, law_constants(at)) +
+    return now.distortion * (law->energy(*deformation, law_constants(at)) +
+                             linear_energy(gradient, g, at)) +
            0.5 * volume * volume / now.compliance;
-  }
-
-
-
-  template <int dim>
-  double
-  FiniteStrain<dim>::determinant(const Gradient &gradient)
-  {
-    Gradient deformation = gradient;
-    for (unsigned int d = 0; d < dim; ++d)
-      deformation[d][d] += 1.;
-    return dealii::determinant(deformation);
   }
 
 
@@ -237,7 +239,6 @@ namespace MixedCracks
                   FiniteStrain<2>::eliminated_energy(const Tensor<2, 2> &,
                                      double,
                                      const PointConstants &) const;
-  template double FiniteStrain<2>::determinant(const Tensor<2, 2> &);
   template double FiniteStrain<2>::volume_ratio(const Tensor<2, 2> &,
                                                 double,
                                                 double,
@@ -278,7 +279,6 @@ namespace MixedCracks
                   FiniteStrain<3>::eliminated_energy(const Tensor<2, 3> &,
                                      double,
                                      const PointConstants &) const;
-  template double FiniteStrain<3>::determinant(const Tensor<2, 3> &);
   template double FiniteStrain<3>::volume_ratio(const Tensor<2, 3> &,
                                                 double,
                                                 double,

@@ -7,8 +7,10 @@
 //
 // with J = J_2 F_33, J_2 the determinant of the part in the plane (a, s, c,
 // theta as in finite_strain.cc; plane_stress.cc solves). No F where J_2 <= 0
-// or there is no root.
+// or there is no root. In damaged material gamma(g) grad u stands for grad u
+// throughout (energy_interpolation.cc).
 
+#include <model/energy_interpolation.h>
 #include <model/finite_strain.h>
 #include <model/plane_stress.h>
 
@@ -33,7 +35,37 @@ namespace MixedCracks
       }
       return result;
     }
+    // J_2, the determinant of the part in the plane
+    template <int dim>
+    double
+    area_ratio(const Tensor<2, dim> &gradient)
+    {
+      Tensor<2, dim> deformation = gradient;
+      for (unsigned int d = 0; d < dim; ++d)
+        deformation[d][d] += 1.;
+      return dealii::determinant(deformation);
+    }
   } // namespace
+
+
+
+  // Contact of the sides of a crack is what a split of the pressure is for:
+  // such material keeps its law however broken it is.
+  template <int dim>
+  double
+  FiniteStrain<dim>::share_of_law(const double g) const
+  {
+    return resists_closure ? 1. : nonlinear_share(g);
+  }
+
+
+
+  template <int dim>
+  double
+  FiniteStrain<dim>::determinant(const Gradient &gradient, const double g) const
+  {
+    return area_ratio<dim>(share_of_law(g) * gradient);
+  }
 
 
 
@@ -46,7 +78,7 @@ namespace MixedCracks
                                          const double          g,
                                          const PointConstants &at) const
   {
-    const double                     area       = determinant(gradient);
+    const double                     area       = area_ratio(gradient);
     const HyperelasticConstants      constants  = law_constants(at);
     const FinitePressureCoefficients now        = coefficients(pressure, g, at);
     const double                     transverse = now.volume * pressure * area;
@@ -76,7 +108,7 @@ namespace MixedCracks
                                            const double          g,
                                            const PointConstants &at) const
   {
-    const double                area      = determinant(gradient);
+    const double                area      = area_ratio(gradient);
     const HyperelasticConstants constants = law_constants(at);
     const auto bulk = [](const FinitePressureCoefficients &now) {
       return now.volume * now.volume / now.compliance;
@@ -111,13 +143,14 @@ namespace MixedCracks
                                  const double          g,
                                  const PointConstants &at) const
   {
-    if (!(determinant(gradient) > 0.))
+    if (!(determinant(gradient, g) > 0.))
       return {};
-    const double stretch =
-      plane_stress ? stretch_at_pressure(gradient, pressure, g, at) : 1.;
+    const Gradient scaled = share_of_law(g) * gradient;
+    const double   stretch =
+      plane_stress ? stretch_at_pressure(scaled, pressure, g, at) : 1.;
     if (!(stretch > 0.))
       return {};
-    return Deformation(gradient_in_space(gradient, stretch));
+    return Deformation(gradient_in_space(scaled, stretch));
   }
 
 
@@ -128,17 +161,21 @@ namespace MixedCracks
                                    const double          g,
                                    const PointConstants &at) const
   {
-    if (!(determinant(gradient) > 0.))
+    if (!(determinant(gradient, g) > 0.))
       return {};
-    const double stretch =
-      plane_stress ? stretch_at_constraint(gradient, g, at) : 1.;
+    const Gradient scaled = share_of_law(g) * gradient;
+    const double   stretch =
+      plane_stress ? stretch_at_constraint(scaled, g, at) : 1.;
     if (!(stretch > 0.))
       return {};
-    return Deformation(gradient_in_space(gradient, stretch));
+    return Deformation(gradient_in_space(scaled, stretch));
   }
 
 
 
+  template double FiniteStrain<2>::share_of_law(double) const;
+  template double FiniteStrain<2>::determinant(const Tensor<2, 2> &,
+                                               double) const;
   template double
   FiniteStrain<2>::stretch_at_pressure(const Tensor<2, 2> &,
                                        double,
@@ -158,6 +195,9 @@ namespace MixedCracks
                                  double,
                                  const PointConstants &) const;
 
+  template double FiniteStrain<3>::share_of_law(double) const;
+  template double FiniteStrain<3>::determinant(const Tensor<2, 3> &,
+                                               double) const;
   template double
   FiniteStrain<3>::stretch_at_pressure(const Tensor<2, 3> &,
                                        double,

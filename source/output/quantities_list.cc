@@ -215,7 +215,8 @@ namespace MixedCracks
         "",
         "smallest det F over the quadrature points, in plane stress that "
         "of the plane, det of the two by two part; cells turn inside out "
-        "at 0. Broken cells count, too",
+        "at 0. Of damaged material det(I + gamma grad u), 1 where it is "
+        "broken (doc/model.md, section 8)",
         [](const auto &step) { return step.energies.smallest_jacobian; })
         .only_with("Model/Strains = finite")
         .in_summary_as(InSummary::result)};

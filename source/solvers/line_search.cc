@@ -18,8 +18,8 @@
 // Pi'(x) d > 0, d leads up: -d is searched then, by the potential alone.
 //
 // A problem that need not be a minimum is asked for its potential, which costs
-// more than a residual there, only when the full step is not good enough as it
-// is.
+// more than a residual there, only when neither the full step nor its half, its
+// quarter or its eighth lowers the residual.
 
 #include <solvers/line_search.h>
 
@@ -37,6 +37,9 @@ namespace MixedCracks
     // it: a residual that grows by more is that of another place.
     constexpr double largest_growth = 10.;
 
+    // The smallest part of a step that is taken for its residual alone.
+    constexpr double smallest_without_potential = 0.125;
+
     class GuardedSearch
     {
     public:
@@ -52,7 +55,7 @@ namespace MixedCracks
       run()
       {
         const bool decides = problem.potential && problem.is_minimum;
-        if (!decides && full_step_is_enough())
+        if (!decides && residual_is_enough())
           return outcome;
         move_to(0.);
         if (problem.potential)
@@ -99,9 +102,15 @@ namespace MixedCracks
 
 
       bool
-      full_step_is_enough()
+      residual_is_enough()
       {
-        outcome.found = try_factor(1.) && residual_falls();
+        for (double factor = 1.; factor >= smallest_without_potential;
+             factor *= 0.5)
+        {
+          outcome.found = try_factor(factor) && residual_falls();
+          if (outcome.found || (problem.is_to_stop && problem.is_to_stop()))
+            break;
+        }
         return outcome.found;
       }
 

@@ -67,16 +67,6 @@ namespace MixedCracks
     halfway.sadd(0.5, 0.5, last);
     trial.lagged_phase_field = halfway;
     trial.elastic            = solution;
-    carry_pressure(trial);
-  }
-
-
-
-  template <int dim>
-  void
-  Retreat<dim>::carry_pressure(State &trial)
-  {
-    elastic.carry_pressure(lagged_phase_field, trial);
   }
 
 

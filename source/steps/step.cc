@@ -309,7 +309,7 @@ namespace MixedCracks
     {
       const Vector before      = trial.lagged_phase_field;
       trial.lagged_phase_field = trial.phase_field;
-      elastic.carry_pressure(before, trial);
+      elastic.stay_admissible(before, trial);
     }
     outcome.mesh_is_too_coarse = false;
     outcome.newton_iterations += predicted.iterations;
@@ -369,7 +369,6 @@ namespace MixedCracks
       if (is_settled(outcome))
         continue;
       advance_lagged_field(accepted, trial);
-      retreat.carry_pressure(trial);
       factor = acceleration.factor();
       // with no stable state nearby the change would exceed any bound
       outcome.runs_away = std::isfinite(bound) && acceleration.runs_away();

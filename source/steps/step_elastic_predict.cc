@@ -95,25 +95,14 @@ namespace MixedCracks
 
 
 
-  // p <- p + p_u(phi~) - p_u(phi~ before), p_u the pressure that fulfils the
-  // constraint of the present u: where phi~ has not changed, nothing does, and
-  // what the constraint is still off by is not multiplied by the bulk
-  // stiffness.
+  // A broken point that is turned inside out is none with a phase field that
+  // has become larger: phi~ <- the one with which (u, p) was found.
   template <int dim>
   void
-  ElasticStep<dim>::carry_pressure(const Vector &before, State &trial)
+  ElasticStep<dim>::stay_admissible(const Vector &before, State &trial) const
   {
-    if (!is_finite() || !fields.layout.mixed)
-      return;
-    TimerOutput::Scope scope(timer, "assembly");
-    Vector             result = fields.owned_vector(fields.elastic_dofs);
-    Vector             found(result);
-    result = trial.elastic;
-    found  = potential.eliminated(trial.elastic, trial.lagged_phase_field);
-    result.add(1., found);
-    found = potential.eliminated(trial.elastic, before);
-    result.add(-1., found);
-    trial.elastic = result;
+    if (!is_admissible(trial))
+      trial.lagged_phase_field = before;
   }
 
 
@@ -242,7 +231,7 @@ namespace MixedCracks
     NewtonOutcome outcome;
     trial.elastic = accepted.elastic;
     is_stopped    = false;
-    carry_pressure(accepted.lagged_phase_field, trial);
+    stay_admissible(accepted.lagged_phase_field, trial);
     if (!is_admissible(trial))
     {
       outcome.reason = "the state before the step is turned inside out at a "
@@ -292,11 +281,9 @@ namespace MixedCracks
 
 
 
-#define INSTANTIATE(dim)                                              \
-  template bool ElasticStep<dim>::is_admissible(const State &) const; \
-  template void ElasticStep<dim>::carry_pressure(                     \
-    const LinearAlgebra::Vector &, State &);                          \
-  template NewtonOutcome ElasticStep<dim>::predict(                   \
+#define INSTANTIATE(dim)                                                       \
+  template bool          ElasticStep<dim>::is_admissible(const State &) const; \
+  template NewtonOutcome ElasticStep<dim>::predict(                            \
     const State &, State &, const NewtonOptions &);
   INSTANTIATE(2)
   INSTANTIATE(3)

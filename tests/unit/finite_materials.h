@@ -81,7 +81,7 @@ namespace MixedCracks
         for (unsigned int i = 0; i < dim; ++i)
           for (unsigned int j = 0; j < dim; ++j)
             gradient[i][j] = F[i][j] - (i == j ? 1. : 0.);
-        if (FiniteStrain<dim>::determinant(gradient) > 0.2)
+        if (determinant(F) > 0.2)
           result.push_back(gradient);
       }
       return result;

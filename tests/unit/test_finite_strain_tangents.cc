@@ -20,7 +20,7 @@ namespace
     double distortion, volume, compliance;
   };
 
-  // as printed in (M13), (M13b)
+  // (M13), (M13b) of the pressure of the undamaged part: p/g, p/b
   Coefficients
   coefficients(const MaterialDescription &material,
                const double               volumetric,
@@ -33,14 +33,13 @@ namespace
     if (material.pressure_law == "cubic")
     {
       const double phi = std::sqrt((g - rubber_kappa) / (1. - rubber_kappa));
-      return {g,
-              (1. - rubber_kappa) * std::pow(phi, 3) + rubber_kappa,
-              1. / volumetric};
+      const double b   = (1. - rubber_kappa) * std::pow(phi, 3) + rubber_kappa;
+      return {g, b * b, b * b / volumetric};
     }
     return {g,
-            1.,
-            1. / volumetric +
-              (1. - g) / (g * rubber_relaxation * material.constants->mu)};
+            g,
+            g * g / volumetric +
+              g * (1. - g) / (rubber_relaxation * material.constants->mu)};
   }
 
   // the potential as a function of the nine entries of F and p
