@@ -10,7 +10,8 @@ namespace MixedCracks
   // return what went wrong, for a person; empty when all is well.
 
   /// The old file stays until the new one is whole.
-  std::string replace_file(const std::string &name, const std::string &text);
+  std::string replace_small_file(const std::string &name,
+                                 const std::string &text);
 
   /// Behind what is there.
   std::string append_to_file(const std::string &name, const std::string &text);

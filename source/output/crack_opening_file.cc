@@ -46,8 +46,8 @@ namespace MixedCracks
       return;
     std::string message;
     if (dealii::Utilities::MPI::this_mpi_process(communicator) == 0)
-      message =
-        append ? append_to_file(name, content) : replace_file(name, content);
+      message = append ? append_to_file(name, content)
+                       : replace_small_file(name, content);
     throw_on_all_ranks(message, communicator);
   }
 

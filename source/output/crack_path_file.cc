@@ -100,7 +100,7 @@ namespace MixedCracks
   std::string
   CrackPathFile::write_table_and_list() const
   {
-    const std::string message = replace_file(csv_name, all_rows);
+    const std::string message = replace_small_file(csv_name, all_rows);
     return message.empty() ? write_pvd() : message;
   }
 
@@ -275,6 +275,6 @@ namespace MixedCracks
                  "\" group=\"\" part=\"0\" file=\"" +
                  crack_path_vtp_name(step) + "\"/>\n";
     content += "</Collection>\n</VTKFile>\n";
-    return replace_file(pvd_name, content);
+    return replace_small_file(pvd_name, content);
   }
 } // namespace MixedCracks

@@ -11,7 +11,7 @@
 namespace MixedCracks
 {
   std::string
-  replace_file(const std::string &name, const std::string &text)
+  replace_small_file(const std::string &name, const std::string &text)
   {
     return write_durably(name, text).empty() ? "" : cannot_be_written(name);
   }

@@ -281,9 +281,11 @@ namespace MixedCracks
 
 
 
-#define INSTANTIATE(dim)                                                       \
-  template bool          ElasticStep<dim>::is_admissible(const State &) const; \
-  template NewtonOutcome ElasticStep<dim>::predict(                            \
+#define INSTANTIATE(dim)                                                   \
+  template bool ElasticStep<dim>::is_admissible(const State &) const;      \
+  template void ElasticStep<dim>::stay_admissible(const Vector &, State &) \
+    const;                                                                 \
+  template NewtonOutcome ElasticStep<dim>::predict(                        \
     const State &, State &, const NewtonOptions &);
   INSTANTIATE(2)
   INSTANTIATE(3)

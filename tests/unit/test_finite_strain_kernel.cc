@@ -171,11 +171,26 @@ TYPED_TEST(FiniteStrainKernelOf, DisplacementResidualIsTheDerivativeOfTheEnergy)
 
 
 
+namespace
+{
+  // damaged, but by its law: gamma = 1
+  template <int dim>
+  void
+  whole(OneCell<dim> &cell)
+  {
+    std::fill(
+      cell.lagged_phase_field.begin(), cell.lagged_phase_field.end(), 0.8);
+  }
+} // namespace
+
+
+
 TYPED_TEST(FiniteStrainKernelOf, KnowsCellsThatAreTurnedInsideOut)
 {
   constexpr int       dim = TypeParam::value;
   const Material<dim> material(rubber(laws[0], "none", "relaxed bulk", false));
   OneCell<dim>        cell(false, material);
+  whole(cell);
   dealii::Tensor<2, dim> gradient;
   gradient[0][0] = 1.;
   const auto set = [&]() {
@@ -190,6 +205,15 @@ TYPED_TEST(FiniteStrainKernelOf, KnowsCellsThatAreTurnedInsideOut)
   set();
   EXPECT_NEAR(cell.kernel.smallest_determinant(), -0.2, 1e-4);
   EXPECT_FALSE(cell.kernel.potential() <= 1e300);
+  // a broken one has no inside
+  std::fill(
+    cell.lagged_phase_field.begin(), cell.lagged_phase_field.end(), 0.1);
+  set();
+  EXPECT_EQ(cell.kernel.smallest_determinant(), 1.);
+  EXPECT_TRUE(std::isfinite(cell.kernel.potential()));
+  // nor where the phase field has grown since
+  const std::vector<double> grown(cell.lagged_phase_field.size(), 0.8);
+  EXPECT_NEAR(cell.kernel.energy(grown), cell.kernel.energy(), 1e-12);
 }
 
 
@@ -200,7 +224,8 @@ TYPED_TEST(FiniteStrainKernelOf, AveragesAreThoseOfAnEvenDeformation)
   constexpr int       dim = TypeParam::value;
   const Material<dim> material(rubber(laws[0], "none", "relaxed bulk", false));
   OneCell<dim>        cell(false, material);
-  const double        angle       = 0.4;
+  whole(cell);
+  const double           angle    = 0.4;
   dealii::Tensor<2, dim> rotation = dealii::unit_symmetric_tensor<dim>();
   rotation[0][0] = rotation[1][1] = std::cos(angle);
   rotation[1][0]                  = std::sin(angle);

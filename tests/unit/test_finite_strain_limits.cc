@@ -72,16 +72,15 @@ namespace
                    const SymmetricTensor<2, dim> &strain,
                    const double                   g)
   {
-    // of tension, which is relaxed: p = g times that of finite strain
+    // the transmitted pressure is g times that of finite strain, as it fades
     const double p = 0.7 * finite.uniform_constants().mu * trace(strain);
-    const double s = trace(strain) > 0. ? g : 1.;
-    const auto   a = finite.mixed(strain, p / s, g);
+    const auto   a = finite.mixed(strain, p / g, g);
     const auto   b = small.mixed(strain, p, g);
     return std::max(
       {(a.stress - b.stress).norm() / b.stress.norm(),
-       std::abs(a.constraint / s - b.constraint) /
+       std::abs(a.constraint / g - b.constraint) /
          (strain.norm() + std::abs(p * b.constraint_by_pressure)),
-       relative(s * finite.pressure(strain, g), small.pressure(strain, g))});
+       relative(g * finite.pressure(strain, g), small.pressure(strain, g))});
   }
 
   // p is lambda' tr eps, and lambda_W fades with the shear stiffness: where
