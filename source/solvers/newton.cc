@@ -29,6 +29,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <vector>
 
 namespace MixedCracks
 {
@@ -78,6 +79,30 @@ namespace MixedCracks
       outcome.size  = line_search(problem, options, before);
       return outcome;
     }
+
+
+
+    // Whether the residual still falls. Near a state that is not stable, as
+    // single cells beside a crack may be, a guarded Newton's method circles:
+    // ten iterations that gain less than a tenth are followed by no better
+    // ones.
+    class Progress
+    {
+    public:
+      bool
+      goes_on(const double residual)
+      {
+        residuals.push_back(residual);
+        return residuals.size() <= window ||
+               residual <=
+                 largest_ratio * residuals[residuals.size() - 1 - window];
+      }
+
+    private:
+      static constexpr unsigned int window        = 10;
+      static constexpr double       largest_ratio = 0.9;
+      std::vector<double>           residuals;
+    };
 
 
 
@@ -190,6 +215,7 @@ namespace MixedCracks
     const double target           = std::max(
       options.tolerance, options.relative_tolerance * outcome.first.largest());
     LinearTolerance linear_tolerance(options);
+    Progress        progress;
     while (!(outcome.last.largest() <= target))
     {
       if (options.enough_iterations > 0 &&
@@ -207,6 +233,11 @@ namespace MixedCracks
         outcome.reason = "no convergence within " +
                          std::to_string(options.max_iterations) +
                          " Newton iterations";
+        return outcome;
+      }
+      if (problem.is_admissible && !progress.goes_on(outcome.last.largest()))
+      {
+        outcome.reason = "no progress within 10 Newton iterations";
         return outcome;
       }
       const LinearOutcome linear =
