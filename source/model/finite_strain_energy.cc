@@ -12,6 +12,7 @@
 // p in the discrete space.
 
 #include <model/finite_strain.h>
+#include <model/gradient_in_space.h>
 
 #include <cmath>
 #include <limits>
@@ -59,6 +60,9 @@ namespace MixedCracks
 
 
 
+  // Of the law wherever there is an F, however broken the material: what drives
+  // a crack while its cells still carry something is (M15), and only what is
+  // turned inside out has the energy that is interpolated.
   template <int dim>
   double
   FiniteStrain<dim>::driving_force(const Gradient       &gradient,
@@ -66,17 +70,26 @@ namespace MixedCracks
                                    const double          g,
                                    const PointConstants &at) const
   {
-    const auto deformation = at_pressure(gradient, pressure, g, at);
-    if (!deformation)
-      return undefined;
-    const HyperelasticConstants constants = law_constants(at);
-    double                      force     = 2. * (split->only_stretches_drive
-                                                    ? law->tensile_energy(*deformation, constants)
-                                                    : law->energy(*deformation, constants));
-    if (split->drives(pressure))
-      force += coefficients(pressure, g, at).driving * pressure *
-               form->measure(deformation->volume_change).value;
-    return force + 2. * linear_energy(gradient, g, at);
+    const auto by_law = [&](const Deformation &deformation) {
+      const HyperelasticConstants constants = law_constants(at);
+      double                      force     = 2. * (split->only_stretches_drive
+                                                      ? law->tensile_energy(deformation, constants)
+                                                      : law->energy(deformation, constants));
+      if (split->drives(pressure))
+        force += coefficients(pressure, g, at).driving * pressure *
+                 form->measure(deformation.volume_change).value;
+      return force;
+    };
+    if (determinant_of(gradient) > 0.)
+    {
+      const double stretch =
+        plane_stress ? stretch_at_pressure(gradient, pressure, g, at) : 1.;
+      if (stretch > 0.)
+        return by_law(Deformation(gradient_in_space(gradient, stretch)));
+    }
+    const auto scaled = at_pressure(gradient, pressure, g, at);
+    return scaled ? by_law(*scaled) + 2. * linear_energy(gradient, g, at)
+                  : undefined;
   }
 
 

@@ -12,42 +12,12 @@
 
 #include <model/energy_interpolation.h>
 #include <model/finite_strain.h>
+#include <model/gradient_in_space.h>
 #include <model/plane_stress.h>
 
 namespace MixedCracks
 {
   using dealii::Tensor;
-
-  namespace
-  {
-    // F from grad u; @p stretch: F_33 in 2-d
-    template <int dim>
-    Tensor<2, 3>
-    gradient_in_space(const Tensor<2, dim> &gradient, const double stretch)
-    {
-      Tensor<2, 3> result;
-      result[2][2] = stretch;
-      for (unsigned int i = 0; i < dim; ++i)
-      {
-        for (unsigned int j = 0; j < dim; ++j)
-          result[i][j] = gradient[i][j];
-        result[i][i] += 1.;
-      }
-      return result;
-    }
-    // J_2, the determinant of the part in the plane
-    template <int dim>
-    double
-    area_ratio(const Tensor<2, dim> &gradient)
-    {
-      Tensor<2, dim> deformation = gradient;
-      for (unsigned int d = 0; d < dim; ++d)
-        deformation[d][d] += 1.;
-      return dealii::determinant(deformation);
-    }
-  } // namespace
-
-
 
   // Contact of the sides of a crack is what a split of the pressure is for:
   // such material keeps its law however broken it is.
@@ -64,7 +34,7 @@ namespace MixedCracks
   double
   FiniteStrain<dim>::determinant(const Gradient &gradient, const double g) const
   {
-    return area_ratio<dim>(share_of_law(g) * gradient);
+    return determinant_of<dim>(share_of_law(g) * gradient);
   }
 
 
@@ -78,7 +48,7 @@ namespace MixedCracks
                                          const double          g,
                                          const PointConstants &at) const
   {
-    const double                     area       = area_ratio(gradient);
+    const double                     area       = determinant_of(gradient);
     const HyperelasticConstants      constants  = law_constants(at);
     const FinitePressureCoefficients now        = coefficients(pressure, g, at);
     const double                     transverse = now.volume * pressure * area;
@@ -108,7 +78,7 @@ namespace MixedCracks
                                            const double          g,
                                            const PointConstants &at) const
   {
-    const double                area      = area_ratio(gradient);
+    const double                area      = determinant_of(gradient);
     const HyperelasticConstants constants = law_constants(at);
     const auto bulk = [](const FinitePressureCoefficients &now) {
       return now.volume * now.volume / now.compliance;
