@@ -72,8 +72,10 @@ def main():
         check_torn("mixed", mixed, summary)
         alone, summary = runs.run("displacement")
         check_torn("displacement", alone, summary)
-        # in plane stress the two are one problem
-        assert abs(max(forces(mixed)) / max(forces(alone)) - 1.) < 0.02
+        # in plane stress the two are one problem, on cells that are coarse at the
+        # tip of the notch
+        assert abs(max(forces(mixed)) / max(forces(alone)) - 1.) < 0.06, \
+            (max(forces(mixed)), max(forces(alone)))
         before_the_run = forces(mixed).index(max(forces(mixed)))
         for ranks in (2, 3):
             other, _ = runs.run("mixed_%d" % ranks, MIXED, ranks=ranks)
