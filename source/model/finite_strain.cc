@@ -31,6 +31,7 @@
 //   psi   = a W~ + c p^2/2        stored energy, Pi with p of the constraint
 //   sigma = P F^T/J               Cauchy's stress
 
+#include <model/energy_interpolation.h>
 #include <model/finite_strain.h>
 
 #include <base/errors.h>
@@ -87,8 +88,8 @@ namespace MixedCracks
       by_pressure -= normal * normal / stiffness;
     }
 
-    // P(H) -> gamma P(gamma H) + (1 - gamma^2) g mu H, and the tangents;
-    // @p stiffness: g mu
+    // P(H) -> gamma P(gamma H) + (1 - gamma^2) g mu_L H, and the tangents;
+    // @p stiffness: g mu_L
     template <int dim>
     void
     interpolate(const Tensor<2, dim> &gradient,
@@ -96,8 +97,6 @@ namespace MixedCracks
                 const double          stiffness,
                 ElasticResponse<dim> &response)
     {
-      if (share == 1.)
-        return;
       const double linear = (1. - share * share) * stiffness;
       response.stress *= share;
       response.stress += linear * gradient;
@@ -284,8 +283,12 @@ namespace MixedCracks
     const FinitePressureCoefficients now = coefficients(pressure, g, at);
     Full full = in_space(*deformation, pressure, now, at, with_tangent);
     ElasticResponse<dim> result = in_body(full, with_tangent);
-    interpolate(
-      gradient, share_of_law(g), now.distortion * moduli(at).mu, result);
+    const double         share  = share_of_law(g);
+    if (share < 1.)
+      interpolate(gradient,
+                  share,
+                  now.distortion * linear_modulus(*law, law_constants(at)),
+                  result);
     return result;
   }
 
@@ -312,8 +315,12 @@ namespace MixedCracks
     result.constraint             = 0.;
     result.constraint_by_pressure = 0.;
     result.finite->coupling       = 0.;
-    interpolate(
-      gradient, share_of_law(g), now.distortion * moduli(at).mu, result);
+    const double share            = share_of_law(g);
+    if (share < 1.)
+      interpolate(gradient,
+                  share,
+                  now.distortion * linear_modulus(*law, law_constants(at)),
+                  result);
     return result;
   }
 

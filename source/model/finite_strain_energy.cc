@@ -11,6 +11,7 @@
 // and the parts a W~, s theta and c of Pi for a line search, which eliminates
 // p in the discrete space.
 
+#include <model/energy_interpolation.h>
 #include <model/finite_strain.h>
 #include <model/gradient_in_space.h>
 
@@ -45,7 +46,7 @@ namespace MixedCracks
 
 
 
-  // (1 - gamma^2) mu/2 |H|^2: of broken material, without its g
+  // (1 - gamma^2) mu_L/2 |H|^2: of broken material, without its g
   template <int dim>
   double
   FiniteStrain<dim>::linear_energy(const Gradient       &gradient,
@@ -54,7 +55,8 @@ namespace MixedCracks
   {
     const double share = share_of_law(g);
     return share == 1. ? 0.
-                       : 0.5 * (1. - share * share) * moduli(at).mu *
+                       : 0.5 * (1. - share * share) *
+                           linear_modulus(*law, law_constants(at)) *
                            gradient.norm_square();
   }
 
