@@ -30,7 +30,7 @@ namespace MixedCracks
     /// Piola-Kirchhoff. MPa.
     dealii::Tensor<2, dim> stress;
     /// divergence tr(eps) - compliance p; at finite strain s theta(J) -
-    /// p/lambda_d, see (M13), (M13b).
+    /// compliance p, see FinitePressureLaw.
     double constraint = 0.;
     /// 1/MPa, negative.
     double constraint_by_pressure = 0.;

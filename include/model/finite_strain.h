@@ -56,7 +56,7 @@ namespace MixedCracks
                          double                g,
                          const PointConstants &at) const;
 
-    /// g W~ + p^2/(2 lambda_d), the stored energy; MPa.
+    /// a W~ + compliance p^2/2, the stored energy; MPa.
     double elastic_energy(const Gradient       &gradient,
                           double                pressure,
                           double                g,

@@ -4,7 +4,8 @@
 // F = I + H, g = g(phi~) and the law of (M13) or (M13b) at each point,
 //
 //   R_u(w) = ( P(H, p, g), grad w )     P: first Piola-Kirchhoff stress, MPa
-//   R_p(q) = ( c(H, p, g), q )          c: (J - 1) - p/lambda_d, or (M13b)
+//   R_p(q) = ( c(H, p, g), q )          c: s theta - compliance p
+//   (FinitePressureLaw)
 //
 // The blocks of elastic_kernel.cc become
 //

@@ -89,15 +89,20 @@ namespace MixedCracks
     }
 
     // P(H) -> gamma P(gamma H) + (1 - gamma^2) g mu_L H, and the tangents;
-    // @p stiffness: g mu_L
+    // @p distortion: a = g of FinitePressureCoefficients
     template <int dim>
     void
-    interpolate(const Tensor<2, dim> &gradient,
-                const double          share,
-                const double          stiffness,
-                ElasticResponse<dim> &response)
+    interpolate(const Tensor<2, dim>        &gradient,
+                const double                 share,
+                const double                 distortion,
+                const HyperelasticLaw       &law,
+                const HyperelasticConstants &constants,
+                ElasticResponse<dim>        &response)
     {
-      const double linear = (1. - share * share) * stiffness;
+      if (share == 1.)
+        return;
+      const double linear =
+        (1. - share * share) * distortion * linear_modulus(law, constants);
       response.stress *= share;
       response.stress += linear * gradient;
       response.finite->coupling *= share;
@@ -283,12 +288,12 @@ namespace MixedCracks
     const FinitePressureCoefficients now = coefficients(pressure, g, at);
     Full full = in_space(*deformation, pressure, now, at, with_tangent);
     ElasticResponse<dim> result = in_body(full, with_tangent);
-    const double         share  = share_of_law(g);
-    if (share < 1.)
-      interpolate(gradient,
-                  share,
-                  now.distortion * linear_modulus(*law, law_constants(at)),
-                  result);
+    interpolate(gradient,
+                share_of_law(g),
+                now.distortion,
+                *law,
+                law_constants(at),
+                result);
     return result;
   }
 
@@ -315,12 +320,12 @@ namespace MixedCracks
     result.constraint             = 0.;
     result.constraint_by_pressure = 0.;
     result.finite->coupling       = 0.;
-    const double share            = share_of_law(g);
-    if (share < 1.)
-      interpolate(gradient,
-                  share,
-                  now.distortion * linear_modulus(*law, law_constants(at)),
-                  result);
+    interpolate(gradient,
+                share_of_law(g),
+                now.distortion,
+                *law,
+                law_constants(at),
+                result);
     return result;
   }
 
