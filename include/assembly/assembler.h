@@ -155,6 +155,13 @@ namespace MixedCracks
     double smallest_determinant(const Vector &elastic,
                                 const Vector &lagged_phase_field);
 
+    /// Above 0 in @p marks, a phase field without ghosts, at the nodes of cells
+    /// that are turned inside out; 0 elsewhere.
+    void mark_inside_out(const Vector      &elastic,
+                         const Vector      &lagged_phase_field,
+                         const Constraints &hanging_nodes,
+                         Vector            &marks);
+
     /// Of (u, p) with the degradation of @p lagged_phase_field, by the law; N
     /// (mJ per mm thickness).
     double stored_energy(const Vector &elastic,

@@ -148,19 +148,17 @@ namespace MixedCracks
     /// the pressure too.
     double potential() const;
 
-    /// At each quadrature point minus the second derivative of potential() by
-    /// the pressure times its weight: mm^2/MPa, appended to @p weights.
-    void append_compliances(std::vector<double> &weights) const;
+    /// Minus the second derivative of potential() by the pressures, mm^2/MPa:
+    /// their mass matrix with the compliance of each point as weight. As many
+    /// rows and columns as there are pressure_indices().
+    void pressure_mass(dealii::FullMatrix<double> &result) const;
 
-    /// The mass matrix of the pressure with the weights of this cell, which
-    /// start at @p weights, times @p local; mm^2.
-    void pressure_mass(const double                 *weights,
-                       const dealii::Vector<double> &local,
-                       dealii::Vector<double>       &result) const;
-
-    /// Its diagonal; 0 for displacements.
-    void pressure_mass_diagonal(const double           *weights,
-                                dealii::Vector<double> &result) const;
+    /// Which of the degrees of freedom of a cell are pressures.
+    const std::vector<unsigned int> &
+    pressure_indices() const
+    {
+      return pressure_dofs;
+    }
 
   private:
     void evaluate_responses(ElasticEvaluation wanted);

@@ -6,8 +6,6 @@
 
 #include <discretization/constraints.h>
 
-#include <vector>
-
 namespace MixedCracks
 {
   /// The potential of the elastic forces at finite strain as a function of the
@@ -25,10 +23,21 @@ namespace MixedCracks
                      const Constraints<dim> &constraints,
                      Assembler<dim>         &assembler);
 
+    /// To be called when the mesh changed.
+    void reinit();
+
     /// Of the displacements of @p elastic, whose pressure is but where the
     /// elimination starts; N (mJ per mm thickness). Infinite or no number where
     /// cells are turned inside out.
     double value(const Vector &elastic, const Vector &lagged_phase_field);
+
+    /// The displacements of the last value() with the pressure that was found;
+    /// has ghosts.
+    const Vector &
+    equilibrium() const
+    {
+      return state;
+    }
 
     /// The derivative of the last value() along the displacements of
     /// @p direction, which has ghosts and no increment of hanging nodes of its
@@ -41,24 +50,18 @@ namespace MixedCracks
 
     double eliminate_pressure(const Vector &lagged_phase_field);
 
-    /// Potential and its derivative by the pressures at `state`; sets
-    /// `compliances`.
+    /// Potential and its derivative by the pressures at `state`; sets `mass`.
     double evaluate(const Vector &lagged_phase_field, Vector &residual);
 
-    void times_mass(const Vector &source, Vector &result);
-
-    void set_up_diagonal();
-
-    /// Of the mass matrix with `compliances` as weights.
-    void solve_with_mass(const Vector &right_hand_side, Vector &solution);
+    /// mass * solution = right_hand_side
+    void solve_with_mass(const Vector &right_hand_side, Vector &solution) const;
 
     const Fields<dim>      &fields;
     const Constraints<dim> &constraints;
     Assembler<dim>         &assembler;
 
-    Vector              state;            // with ghosts
-    Vector              inverse_diagonal; // of the mass matrix
-    std::vector<double> compliances;      // cell by cell, point by point
+    Vector                      state; // with ghosts
+    LinearAlgebra::SparseMatrix mass;  // of the pressure, mm^2/MPa
   };
 } // namespace MixedCracks
 

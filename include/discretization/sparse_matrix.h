@@ -4,6 +4,10 @@
 
 #include <base/linear_algebra.h>
 
+#include <deal.II/base/table.h>
+
+#include <deal.II/dofs/dof_tools.h>
+
 #include <deal.II/lac/affine_constraints.h>
 
 #include <discretization/fields.h>
@@ -18,6 +22,15 @@ namespace MixedCracks
                           const DofSets                           &dofs,
                           const dealii::AffineConstraints<double> &constraints,
                           LinearAlgebra::SparseMatrix             &matrix);
+
+  /// The same with entries for those pairs of components only that couple.
+  template <int dim>
+  void make_sparse_matrix(
+    const dealii::DoFHandler<dim>                      &handler,
+    const DofSets                                      &dofs,
+    const dealii::AffineConstraints<double>            &constraints,
+    const dealii::Table<2, dealii::DoFTools::Coupling> &couplings,
+    LinearAlgebra::SparseMatrix                        &matrix);
 } // namespace MixedCracks
 
 #endif

@@ -103,7 +103,8 @@ namespace MixedCracks
     /// out is not; the residual of others is not asked for. May be empty.
     std::function<bool()> is_admissible;
     /// What the residual is the gradient of, by the unknowns that are not
-    /// multipliers, at the present iterate; may be empty, or no number.
+    /// multipliers, at the iterate whose residual was asked for last or at
+    /// which the correction was computed; may be empty, or no number.
     std::function<double()> potential;
     /// Its derivative along the correction, where potential() was asked for
     /// last.

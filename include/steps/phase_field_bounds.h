@@ -19,6 +19,12 @@ namespace MixedCracks
                           double                       factor,
                           const LinearAlgebra::Vector &upper,
                           LinearAlgebra::Vector       &result);
+
+  /// @p result = min(result, value) at the nodes where @p marks, without
+  /// ghosts, is above 0; it may have ghosts.
+  void lower_where(const LinearAlgebra::Vector &marks,
+                   const LinearAlgebra::Vector &value,
+                   LinearAlgebra::Vector       &result);
 } // namespace MixedCracks
 
 #endif

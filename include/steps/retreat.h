@@ -24,12 +24,13 @@ namespace MixedCracks
     void keep(const State &trial);
 
     /// Whether there is an equilibrium, and the phase field has not come as
-    /// near to it as it may.
-    bool is_possible() const;
+    /// near to it as it may: one that is that of the equilibrium has no way to
+    /// halve.
+    bool is_possible(const State &trial) const;
 
     /// Halve the way of the lagged phase field from the equilibrium, and begin
-    /// with (u, p) of there.
-    void go_back(State &trial);
+    /// with (u, p) of there. @p obstacle: see ElasticStep::stay_admissible.
+    void go_back(State &trial, LinearAlgebra::Vector &obstacle);
 
   private:
     ElasticStep<dim>     &elastic;

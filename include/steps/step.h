@@ -101,9 +101,13 @@ namespace MixedCracks
 
     void start_lagged_field(const State &accepted, State &trial) const;
 
-    void advance_lagged_field(const State &accepted, State &trial);
+    void advance_lagged_field(State &trial);
 
     NewtonOutcome solve_elastic(const StepOutcome &so_far, State &trial);
+
+    bool can_go_on(const NewtonOutcome &newton,
+                   const StepOutcome   &so_far,
+                   const State         &trial) const;
 
     ActiveSetOutcome solve_phase_field(const State           &accepted,
                                        const FixedPhaseField &fixed,
@@ -135,6 +139,7 @@ namespace MixedCracks
     FixedPointAcceleration acceleration;
     RestWatch              stored_energy;
     Retreat<dim>           retreat;
+    LinearAlgebra::Vector  obstacle; // of the phase field in this step
   };
 } // namespace MixedCracks
 

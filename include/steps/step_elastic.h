@@ -74,10 +74,12 @@ namespace MixedCracks
       return assembler.is_finite();
     }
 
-    /// Take back the lagged phase field of @p trial to @p before where it turns
-    /// broken cells inside out.
+    /// Take back the lagged phase field of @p trial to @p before where it has
+    /// become larger and cells that only broken material can have would be
+    /// turned inside out; @p obstacle is lowered to it there: they do not heal.
     void stay_admissible(const LinearAlgebra::Vector &before,
-                         State                       &trial) const;
+                         State                       &trial,
+                         LinearAlgebra::Vector       &obstacle) const;
 
     /// Whether no cell is turned inside out: det F > 0 at all quadrature
     /// points. Always so at small strain. Collective.
@@ -165,6 +167,9 @@ namespace MixedCracks
     /// What keeps Newton's method among states that are none inside out.
     void guard(NewtonProblem &problem, const State &trial);
 
+    /// ... and makes it a minimisation of the potential.
+    void minimize(NewtonProblem &problem, State &trial);
+
     /// Newton's method from trial.elastic, once.
     NewtonOutcome solve_once(State &trial, const NewtonOptions &options);
 
@@ -220,7 +225,8 @@ namespace MixedCracks
     LinearAlgebra::Vector         correction;
     LinearAlgebra::Vector         external;
     ElasticAssessment             assessment;
-    ElasticPotential<dim>         potential; // at finite strain
+    ElasticPotential<dim>         potential;              // at finite strain
+    double                        present_potential = 0.; // of the iterate
     /// whether any place that the present correction led to has another regime
     /// of the split than the matrix
     bool   crosses_regimes = false;

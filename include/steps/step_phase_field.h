@@ -42,15 +42,16 @@ namespace MixedCracks
     /// To be called when the mesh changed.
     void reinit();
 
-    /// Solve for trial.phase_field; @p driving_force: 2 psi+ of the elastic
-    /// fields of @p trial.
-    ActiveSetOutcome solve(const State           &accepted,
-                           const FixedPhaseField &fixed,
-                           const DrivingForce    &driving_force,
-                           State                 &trial);
+    /// Solve for trial.phase_field between 0 and @p obstacle; @p driving_force:
+    /// 2 psi+ of the elastic fields of @p trial.
+    ActiveSetOutcome solve(const LinearAlgebra::Vector &obstacle,
+                           const FixedPhaseField       &fixed,
+                           const DrivingForce          &driving_force,
+                           State                       &trial);
 
   private:
-    void set_bounds(const State &accepted, const FixedPhaseField &fixed);
+    void set_bounds(const LinearAlgebra::Vector &obstacle,
+                    const FixedPhaseField       &fixed);
 
     /// Residual and matrix at the trial state.
     void assemble(const State &trial, const DrivingForce &driving_force);

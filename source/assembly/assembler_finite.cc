@@ -81,6 +81,29 @@ namespace MixedCracks
 
 
   template <int dim>
+  void
+  Assembler<dim>::mark_inside_out(const Vector      &elastic,
+                                  const Vector      &lagged_phase_field,
+                                  const Constraints &hanging_nodes,
+                                  Vector            &marks)
+  {
+    dealii::Vector<double> ones(local_phase_field.size());
+    ones = 1.;
+    cells->phase_field.begin_sum(marks);
+    visit_states(
+      elastic,
+      lagged_phase_field,
+      ElasticEvaluation::points,
+      [&](const unsigned int cell, const ElasticKernel<dim> &kernel) {
+        if (!(kernel.smallest_determinant() > 0.))
+          cells->phase_field.add(cell, ones, hanging_nodes, marks);
+      });
+    cells->phase_field.end_sum(marks);
+  }
+
+
+
+  template <int dim>
   double
   Assembler<dim>::stored_energy(const Vector &elastic,
                                 const Vector &lagged_phase_field)
@@ -107,6 +130,8 @@ namespace MixedCracks
     const Vector &, const Constraints &, Vector &);                         \
   template double Assembler<dim>::smallest_determinant(const Vector &,      \
                                                        const Vector &);     \
+  template void   Assembler<dim>::mark_inside_out(                          \
+    const Vector &, const Vector &, const Constraints &, Vector &);       \
   template double Assembler<dim>::stored_energy(const Vector &, const Vector &);
   INSTANTIATE(2)
   INSTANTIATE(3)

@@ -169,50 +169,23 @@ namespace MixedCracks
 
 
 
+  // M_kl = sum_q w_q (-dc/dp) M_k M_l
   template <int dim>
   void
-  ElasticKernel<dim>::append_compliances(std::vector<double> &weights) const
+  ElasticKernel<dim>::pressure_mass(FullMatrix<double> &result) const
   {
     Assert(evaluated == ElasticEvaluation::tangents,
            ExcMessage("The tangents have not been evaluated."));
-    for (unsigned int q = 0; q < states.size(); ++q)
-      weights.push_back(-geometry->weights[q] *
-                        responses[q].constraint_by_pressure);
-  }
-
-
-
-  // y_k = sum_q m_q M_k (sum_l M_l x_l)
-  template <int dim>
-  void
-  ElasticKernel<dim>::pressure_mass(const double         *weights,
-                                    const Vector<double> &local,
-                                    Vector<double>       &result) const
-  {
     result = 0.;
     for (unsigned int q = 0; q < states.size(); ++q)
     {
-      double value = 0.;
-      for (unsigned int l = 0; l < pressure_dofs.size(); ++l)
-        value += local(pressure_dofs[l]) * pressure_shapes.value(l, q);
+      const double weight =
+        -geometry->weights[q] * responses[q].constraint_by_pressure;
       for (unsigned int k = 0; k < pressure_dofs.size(); ++k)
-        result(pressure_dofs[k]) +=
-          weights[q] * value * pressure_shapes.value(k, q);
+        for (unsigned int l = 0; l < pressure_dofs.size(); ++l)
+          result(k, l) +=
+            weight * pressure_shapes.value(k, q) * pressure_shapes.value(l, q);
     }
-  }
-
-
-
-  template <int dim>
-  void
-  ElasticKernel<dim>::pressure_mass_diagonal(const double   *weights,
-                                             Vector<double> &result) const
-  {
-    result = 0.;
-    for (unsigned int q = 0; q < states.size(); ++q)
-      for (unsigned int k = 0; k < pressure_dofs.size(); ++k)
-        result(pressure_dofs[k]) += weights[q] * pressure_shapes.value(k, q) *
-                                    pressure_shapes.value(k, q);
   }
 
 
@@ -242,22 +215,17 @@ namespace MixedCracks
 
 
 
-#define INSTANTIATE(dim)                                                        \
-  template void ElasticKernel<dim>::finite_displacement_block(                  \
-    unsigned int, FullMatrix<double> &) const;                                  \
-  template void ElasticKernel<dim>::finite_pressure_blocks(                     \
-    unsigned int, FullMatrix<double> &) const;                                  \
-  template double ElasticKernel<dim>::size_of_strain(const Tensor<2, dim> &)    \
-    const;                                                                      \
-  template double ElasticKernel<dim>::smallest_determinant() const;             \
-  template double ElasticKernel<dim>::potential() const;                        \
-  template void   ElasticKernel<dim>::append_compliances(std::vector<double> &) \
-    const;                                                                      \
-  template void ElasticKernel<dim>::pressure_mass(                              \
-    const double *, const Vector<double> &, Vector<double> &) const;            \
-  template void ElasticKernel<dim>::pressure_mass_diagonal(                     \
-    const double *, Vector<double> &) const;                                    \
-  template void ElasticKernel<dim>::add_finite(unsigned int, CellAverages &)    \
+#define INSTANTIATE(dim)                                                         \
+  template void ElasticKernel<dim>::finite_displacement_block(                   \
+    unsigned int, FullMatrix<double> &) const;                                   \
+  template void ElasticKernel<dim>::finite_pressure_blocks(                      \
+    unsigned int, FullMatrix<double> &) const;                                   \
+  template double ElasticKernel<dim>::size_of_strain(const Tensor<2, dim> &)     \
+    const;                                                                       \
+  template double ElasticKernel<dim>::smallest_determinant() const;              \
+  template double ElasticKernel<dim>::potential() const;                         \
+  template void   ElasticKernel<dim>::pressure_mass(FullMatrix<double> &) const; \
+  template void   ElasticKernel<dim>::add_finite(unsigned int, CellAverages &)   \
     const;
   INSTANTIATE(2)
   INSTANTIATE(3)

@@ -14,7 +14,9 @@
 // that varies by orders of magnitude: scaled with its diagonal its condition
 // number is bounded all the same (that of the matrix of one cell, 9 in 2-d and
 // 27 in 3-d, where the weight is constant in each cell [Wathen, IMA J. Numer.
-// Anal. 7 (1987)]), and conjugate gradients take some twenty iterations.
+// Anal. 7 (1987)]), and conjugate gradients take some twenty iterations. Their
+// error enters the potential squared; a p that is not quite the one of the
+// maximum makes it a little too small.
 //
 // Newton's direction for R(u, p) = 0 descends on Pi where A + B^T M^-1 B is
 // positive definite: with p the present pressure and p_u the eliminated one,
@@ -25,6 +27,11 @@
 #include <assembly/elastic_potential.h>
 
 #include <deal.II/base/mpi.h>
+
+#include <deal.II/lac/diagonal_matrix.h>
+#include <deal.II/lac/solver_cg.h>
+
+#include <discretization/sparse_matrix.h>
 
 #include <algorithm>
 #include <cmath>
@@ -40,7 +47,7 @@ namespace MixedCracks
     constexpr unsigned int most_steps    = 8;
     constexpr double       smallest_gain = 1e-12;
 
-    // of the conjugate gradients, whose error enters the potential squared
+    // of the conjugate gradients
     constexpr unsigned int most_iterations  = 200;
     constexpr double       linear_tolerance = 1e-8;
   } // namespace
@@ -58,35 +65,60 @@ namespace MixedCracks
 
 
 
+  template <int dim>
+  void
+  ElasticPotential<dim>::reinit()
+  {
+    if (!fields.layout.mixed)
+      return;
+    Table<2, DoFTools::Coupling> couplings(dim + 1, dim + 1);
+    couplings.fill(DoFTools::none);
+    couplings(dim, dim) = DoFTools::always;
+    make_sparse_matrix(fields.elastic,
+                       fields.elastic_dofs,
+                       constraints.elastic_hanging_nodes(),
+                       couplings,
+                       mass);
+  }
+
+
+
   // L(u, p), and dL/dp in the rows of the pressure
   template <int dim>
   double
   ElasticPotential<dim>::evaluate(const Vector &lagged_phase_field,
                                   Vector       &residual)
   {
-    double                 sum   = 0.;
-    CellDofs<dim>         &cells = assembler.elastic_dofs();
+    double                           sum   = 0.;
+    CellDofs<dim>                   &cells = assembler.elastic_dofs();
+    const std::vector<unsigned int> &pressures =
+      assembler.kernel().pressure_indices();
+    std::vector<types::global_dof_index> all, indices(pressures.size());
     dealii::Vector<double> local(fields.elastic.get_fe().n_dofs_per_cell());
-    std::vector<bool>      is_pressure;
-    for (unsigned int i = 0; i < local.size(); ++i)
-      is_pressure.push_back(
-        fields.elastic.get_fe().system_to_component_index(i).first == dim);
-    compliances.clear();
-    cells.begin_sum(residual);
+    dealii::Vector<double> local_pressures(pressures.size());
+    FullMatrix<double>     local_mass(pressures.size());
+    all.resize(local.size());
+    mass     = 0.;
+    residual = 0.;
     assembler.visit_states(
       state,
       lagged_phase_field,
       ElasticEvaluation::tangents,
       [&](const unsigned int cell, const ElasticKernel<dim> &kernel) {
         sum += kernel.potential();
-        kernel.append_compliances(compliances);
         kernel.residual(local);
-        for (unsigned int i = 0; i < local.size(); ++i)
-          if (!is_pressure[i])
-            local(i) = 0.;
-        cells.add(cell, local, constraints.elastic_hanging_nodes(), residual);
+        kernel.pressure_mass(local_mass);
+        cells.global_indices(cell, all);
+        for (unsigned int k = 0; k < pressures.size(); ++k)
+        {
+          indices[k]         = all[pressures[k]];
+          local_pressures[k] = local[pressures[k]];
+        }
+        constraints.elastic_hanging_nodes().distribute_local_to_global(
+          local_mass, local_pressures, indices, mass, residual);
       });
-    cells.end_sum(residual);
+    mass.compress(VectorOperation::add);
+    residual.compress(VectorOperation::add);
     return Utilities::MPI::sum(sum, fields.communicator());
   }
 
@@ -94,86 +126,30 @@ namespace MixedCracks
 
   template <int dim>
   void
-  ElasticPotential<dim>::times_mass(const Vector &source, Vector &result)
-  {
-    const AffineConstraints<double> &hanging =
-      constraints.elastic_hanging_nodes();
-    CellDofs<dim> &cells = assembler.elastic_dofs();
-    Vector         fitting(source);
-    hanging.distribute(fitting);
-    Vector ghosted = fields.ghosted_vector(fields.elastic_dofs);
-    ghosted        = fitting;
-    dealii::Vector<double> local(fields.elastic.get_fe().n_dofs_per_cell());
-    dealii::Vector<double> image(local.size());
-    const unsigned int     n_points = fields.quadrature.size();
-    cells.begin_sum(result);
-    for (unsigned int cell = 0; cell * n_points < compliances.size(); ++cell)
-    {
-      cells.read(cell, ghosted, local);
-      assembler.kernel().pressure_mass(
-        &compliances[std::size_t(cell) * n_points], local, image);
-      cells.add(cell, image, hanging, result);
-    }
-    cells.end_sum(result);
-  }
-
-
-
-  // Without what hanging nodes add beside the diagonal: it only preconditions.
-  template <int dim>
-  void
-  ElasticPotential<dim>::set_up_diagonal()
-  {
-    CellDofs<dim> &cells = assembler.elastic_dofs();
-    inverse_diagonal     = fields.owned_vector(fields.elastic_dofs);
-    dealii::Vector<double> local(fields.elastic.get_fe().n_dofs_per_cell());
-    const unsigned int     n_points = fields.quadrature.size();
-    cells.begin_sum(inverse_diagonal);
-    for (unsigned int cell = 0; cell * n_points < compliances.size(); ++cell)
-    {
-      assembler.kernel().pressure_mass_diagonal(
-        &compliances[std::size_t(cell) * n_points], local);
-      cells.add(
-        cell, local, constraints.elastic_hanging_nodes(), inverse_diagonal);
-    }
-    cells.end_sum(inverse_diagonal);
-    // rows of displacements and of hanging nodes are 0 in all vectors
-    for (double &value : inverse_diagonal)
-      value = value == 0. ? 1. : 1. / value;
-  }
-
-
-
-  // Preconditioned conjugate gradients from 0; z = D^-1 r, search the
-  // direction. Written out, since no convergence is no error here: the
-  // potential is then a little too small.
-  template <int dim>
-  void
   ElasticPotential<dim>::solve_with_mass(const Vector &right_hand_side,
-                                         Vector       &solution)
+                                         Vector       &solution) const
   {
-    set_up_diagonal();
-    solution = 0.;
-    Vector       r(right_hand_side), z(r), image(r);
-    const double size = r.l2_norm();
-    Vector       search(r);
-    search        = 0.;
-    double before = 1.;
-    for (unsigned int i = 0; i < most_iterations; ++i)
+    // rows of displacements are 0, in all vectors too
+    Vector inverse_diagonal(right_hand_side);
+    for (const auto i : right_hand_side.locally_owned_elements())
     {
-      if (!(r.l2_norm() > linear_tolerance * size))
-        return;
-      z = r;
-      z.scale(inverse_diagonal);
-      const double now = r * z;
-      search.sadd(i == 0 ? 0. : now / before, 1., z);
-      before = now;
-      times_mass(search, image);
-      const double curvature = search * image;
-      if (!(curvature > 0.))
-        return;
-      solution.add(now / curvature, search);
-      r.add(-now / curvature, image);
+      const double value  = mass.diag_element(i);
+      inverse_diagonal(i) = value == 0. ? 1. : 1. / value;
+    }
+    inverse_diagonal.compress(VectorOperation::insert);
+    const DiagonalMatrix<Vector> preconditioner(inverse_diagonal);
+    // no exception where the tolerance is not met
+    IterationNumberControl control(
+      most_iterations, linear_tolerance * right_hand_side.l2_norm());
+    solution = 0.;
+    try
+    {
+      SolverCG<Vector>(control).solve(
+        mass, solution, right_hand_side, preconditioner);
+    }
+    catch (const SolverControl::NoConvergence &)
+    {
+      // not finite, on all ranks: nor is the potential
     }
   }
 

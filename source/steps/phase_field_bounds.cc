@@ -48,4 +48,17 @@ namespace MixedCracks
     values.compress(VectorOperation::insert);
     result = values;
   }
+
+
+
+  void
+  lower_where(const Vector &marks, const Vector &value, Vector &result)
+  {
+    Vector values(marks);
+    for (const auto i : marks.locally_owned_elements())
+      values(i) = marks(i) > 0. ? std::min<double>(value(i), result(i))
+                                : static_cast<double>(result(i));
+    values.compress(VectorOperation::insert);
+    result = values;
+  }
 } // namespace MixedCracks

@@ -8,6 +8,7 @@
 // iterate of the alternate minimisation as any other, after a shorter step; the
 // next one is sought from there.
 
+#include <steps/phase_field_bounds.h>
 #include <steps/retreat.h>
 
 namespace MixedCracks
@@ -46,17 +47,19 @@ namespace MixedCracks
 
   template <int dim>
   bool
-  Retreat<dim>::is_possible() const
+  Retreat<dim>::is_possible(const State &trial) const
   {
     return elastic.is_finite() && solution.size() > 0 &&
-           n_halvings < most_halvings;
+           n_halvings < most_halvings &&
+           largest_difference(
+             trial.lagged_phase_field, lagged_phase_field, true) > 0.;
   }
 
 
 
   template <int dim>
   void
-  Retreat<dim>::go_back(State &trial)
+  Retreat<dim>::go_back(State &trial, Vector &obstacle)
   {
     ++n_halvings;
     Vector halfway(trial.lagged_phase_field.locally_owned_elements(),
@@ -67,6 +70,7 @@ namespace MixedCracks
     halfway.sadd(0.5, 0.5, last);
     trial.lagged_phase_field = halfway;
     trial.elastic            = solution;
+    elastic.stay_admissible(lagged_phase_field, trial, obstacle);
   }
 
 

@@ -9,7 +9,9 @@
 //      until max |phi_i - phi~_i| is below the tolerance
 //
 // The obstacle is phi^(n-1) in all iterations: irreversibility holds from step
-// to step, an iteration may take back what an earlier one has broken.
+// to step, an iteration may take back what an earlier one has broken. At finite
+// strain it is lowered to phi~_i at the nodes of cells that only a broken
+// material can have: turned inside out, they do not heal.
 // 'time-lagged' and 'extrapolated' do 1 and 2 once. Jacobian of all unknowns
 // with phi~ given:
 //
@@ -45,6 +47,10 @@ namespace MixedCracks
     // At finite strain a state that is farther from equilibrium says little of
     // the one that it goes to.
     constexpr double inexact_residual = 1e-2;
+
+    // ... but enough to go on with where Newton's method finds no nearer one:
+    // the next phase field changes its problem.
+    constexpr double largest_residual = 0.1;
 
     // A node fell from (nearly) intact to (nearly) broken in one step.
     constexpr double running_crack_change = 0.9;
@@ -132,18 +138,19 @@ namespace MixedCracks
 
 
 
-  // phi~ <- clip(next(phi~, phi)) to [0, phi^(n-1)]
+  // phi~ <- clip(next(phi~, phi)) to [0, obstacle]
   template <int dim>
   void
-  StepSolver<dim>::advance_lagged_field(const State &accepted, State &trial)
+  StepSolver<dim>::advance_lagged_field(State &trial)
   {
     Vector image(trial.phase_field.locally_owned_elements(), communicator);
     Vector lagged(image);
     image  = trial.phase_field;
     lagged = trial.lagged_phase_field;
     const Vector next(acceleration.next(lagged, image));
-    move_within_bounds(
-      lagged, next, 1., accepted.phase_field, trial.lagged_phase_field);
+    const Vector before = trial.lagged_phase_field;
+    move_within_bounds(lagged, next, 1., obstacle, trial.lagged_phase_field);
+    elastic.stay_admissible(before, trial, obstacle);
   }
 
 
@@ -185,11 +192,27 @@ namespace MixedCracks
       present.enough_iterations  = inexact_iterations;
       if (elastic.is_finite())
         present.enough_residual = inexact_residual;
-      if (retreat.is_possible())
+      if (retreat.is_possible(trial))
         present.max_iterations =
           std::min(present.max_iterations, iterations_to_follow);
     }
     return elastic.solve(trial, present);
+  }
+
+
+
+  // Whether what Newton's method has left is a state to go on with, or the way
+  // back from it is open. What is accepted in the end has converged.
+  template <int dim>
+  bool
+  StepSolver<dim>::can_go_on(const NewtonOutcome &newton,
+                             const StepOutcome   &so_far,
+                             const State         &trial) const
+  {
+    const bool is_near = elastic.is_finite() && is_iterated(trial) &&
+                         !is_settled(so_far) && newton.iterations > 0 &&
+                         newton.last.largest() <= largest_residual;
+    return is_near || retreat.is_possible(trial);
   }
 
 
@@ -202,7 +225,7 @@ namespace MixedCracks
                                      StepOutcome           &outcome)
   {
     const ActiveSetOutcome active_set =
-      phase_field.solve(accepted, fixed, elastic.driving_force(), trial);
+      phase_field.solve(obstacle, fixed, elastic.driving_force(), trial);
     ++outcome.coupling_iterations;
     outcome.linear_iterations += active_set.linear_iterations;
     outcome.active_set_size = active_set.n_active;
@@ -300,6 +323,7 @@ namespace MixedCracks
     acceleration.restart();
     stored_energy.restart();
     retreat.restart();
+    obstacle = accepted.phase_field;
     // of the step from the last iteration to this one
     double              factor = 0.;
     const bool          is_new = !goes_on(outcome, trial);
@@ -309,7 +333,7 @@ namespace MixedCracks
     {
       const Vector before      = trial.lagged_phase_field;
       trial.lagged_phase_field = trial.phase_field;
-      elastic.stay_admissible(before, trial);
+      elastic.stay_admissible(before, trial, obstacle);
     }
     outcome.mesh_is_too_coarse = false;
     outcome.newton_iterations += predicted.iterations;
@@ -322,15 +346,17 @@ namespace MixedCracks
       const NewtonOutcome newton = solve_elastic(outcome, trial);
       outcome.newton_iterations += newton.iterations;
       outcome.linear_iterations += newton.linear_iterations;
-      if (!newton.converged)
+      if (!newton.converged &&
+          (callbacks.stop_requested() || !can_go_on(newton, outcome, trial)))
+        return left(outcome, newton.reason);
+      if (!newton.converged && retreat.is_possible(trial))
       {
-        if (!retreat.is_possible() || callbacks.stop_requested())
-          return left(outcome, newton.reason);
-        retreat.go_back(trial);
+        retreat.go_back(trial, obstacle);
         acceleration.restart();
         continue;
       }
-      retreat.keep(trial);
+      if (newton.converged)
+        retreat.keep(trial);
       const ActiveSetOutcome active_set =
         solve_phase_field(accepted, fixed, trial, outcome);
       log_iteration(outcome.coupling_iterations,
@@ -368,7 +394,7 @@ namespace MixedCracks
       factor = 0.;
       if (is_settled(outcome))
         continue;
-      advance_lagged_field(accepted, trial);
+      advance_lagged_field(trial);
       factor = acceleration.factor();
       // with no stable state nearby the change would exceed any bound
       outcome.runs_away = std::isfinite(bound) && acceleration.runs_away();

@@ -54,6 +54,8 @@ namespace MixedCracks
     const DofSets &dofs = fields.elastic_dofs;
     make_sparse_matrix(
       fields.elastic, dofs, constraints.elastic_corrections(), matrix);
+    if (assembler.is_finite())
+      potential.reinit();
     for (Vector *vector :
          {&iterate, &full_residual, &residual, &correction, &external})
       vector->reinit(dofs.owned, fields.communicator());

@@ -18,6 +18,7 @@
 // rest follows in the same way. The way is straight in (F, u_D), whatever their
 // history within the step.
 
+#include <steps/phase_field_bounds.h>
 #include <steps/step_elastic.h>
 
 #include <algorithm>
@@ -95,14 +96,35 @@ namespace MixedCracks
 
 
 
-  // A broken point that is turned inside out is none with a phase field that
-  // has become larger: phi~ <- the one with which (u, p) was found.
+  // At the nodes of cells that are turned inside out, phi~_0 the phase field
+  // with which (u, p) was found,
+  //
+  //   phi~ <- min(phi~, phi~_0),   obstacle <- min(obstacle, phi~).
+  //
+  // phi~_0 everywhere if that is no way out.
   template <int dim>
   void
-  ElasticStep<dim>::stay_admissible(const Vector &before, State &trial) const
+  ElasticStep<dim>::stay_admissible(const Vector &before,
+                                    State        &trial,
+                                    Vector       &obstacle) const
   {
+    if (is_admissible(trial))
+      return;
+    const auto &hanging = constraints.phase_field_hanging_nodes();
+    Vector      marks   = fields.owned_vector(fields.phase_field_dofs);
+    assembler.mark_inside_out(
+      trial.elastic, trial.lagged_phase_field, hanging, marks);
+    lower_where(marks, before, trial.lagged_phase_field);
+    Vector fitting = marks;
+    fitting        = trial.lagged_phase_field;
+    hanging.distribute(fitting);
+    trial.lagged_phase_field = fitting;
     if (!is_admissible(trial))
+    {
+      marks                    = 1.;
       trial.lagged_phase_field = before;
+    }
+    lower_where(marks, trial.lagged_phase_field, obstacle);
   }
 
 
@@ -229,9 +251,10 @@ namespace MixedCracks
                                           const NewtonOptions &options)
   {
     NewtonOutcome outcome;
-    trial.elastic = accepted.elastic;
-    is_stopped    = false;
-    stay_admissible(accepted.lagged_phase_field, trial);
+    trial.elastic   = accepted.elastic;
+    is_stopped      = false;
+    Vector obstacle = accepted.phase_field;
+    stay_admissible(accepted.lagged_phase_field, trial, obstacle);
     if (!is_admissible(trial))
     {
       outcome.reason = "the state before the step is turned inside out at a "
@@ -281,11 +304,11 @@ namespace MixedCracks
 
 
 
-#define INSTANTIATE(dim)                                                   \
-  template bool ElasticStep<dim>::is_admissible(const State &) const;      \
-  template void ElasticStep<dim>::stay_admissible(const Vector &, State &) \
-    const;                                                                 \
-  template NewtonOutcome ElasticStep<dim>::predict(                        \
+#define INSTANTIATE(dim)                                              \
+  template bool ElasticStep<dim>::is_admissible(const State &) const; \
+  template void ElasticStep<dim>::stay_admissible(                    \
+    const Vector &, State &, Vector &) const;                         \
+  template NewtonOutcome ElasticStep<dim>::predict(                   \
     const State &, State &, const NewtonOptions &);
   INSTANTIATE(2)
   INSTANTIATE(3)

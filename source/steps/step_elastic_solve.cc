@@ -13,9 +13,12 @@
 // A_old it is a quasi-Newton method, that contracts by about |g - g_old|/g_old.
 //
 // At finite strain R is smooth but for the splits, the tangent is another one
-// in every state, and Newton's method is kept where det F > 0 (guard(),
-// solvers/line_search.cc). An old matrix is tried where neither g nor F has
-// changed much.
+// in every state, and Newton's method is kept where det F > 0
+// (solvers/line_search.cc). An old matrix is tried where neither g nor F has
+// changed much. The mixed problem is a saddle point, whose residual may have
+// minima that are no solutions, near cells that break: what Newton's method for
+// (u, p) does not find is sought as the minimum of Pi(u), with p eliminated
+// (minimize(), assembly/elastic_potential.cc).
 //
 // At small strain it can cycle, where a crack that is nearly free of stiffness
 // opens in one iteration and closes in the next. Then a continuation in the
@@ -47,6 +50,10 @@ namespace MixedCracks
     // most: Newton's method then needs another cheap solve or two instead of
     // a factorisation.
     constexpr double largest_degradation_change = 0.5;
+
+    // After fewer than that a Newton's method that may take no more has not
+    // stalled.
+    constexpr unsigned int many_iterations = 10;
 
     const char *const asked_to_stop = "asked to stop";
 
@@ -189,15 +196,29 @@ namespace MixedCracks
       iterate.add(factor, correction);
       trial.elastic = iterate;
     };
-    if (assembler.is_finite())
-      guard(problem, trial);
-    return solve_newton(problem, options);
+    if (!assembler.is_finite())
+      return solve_newton(problem, options);
+    guard(problem, trial);
+    if (!fields.layout.mixed)
+      minimize(problem, trial);
+    NewtonOutcome outcome = solve_newton(problem, options);
+    // no iterations: turned inside out from the start
+    const bool has_stalled =
+      outcome.iterations > 0 && (outcome.iterations < options.max_iterations ||
+                                 outcome.iterations >= many_iterations);
+    if (outcome.converged || !has_stalled || !fields.layout.mixed || is_stopped)
+      return outcome;
+    const NewtonOutcome first = outcome;
+    minimize(problem, trial);
+    outcome = solve_newton(problem, options);
+    outcome.iterations += first.iterations;
+    outcome.linear_iterations += first.linear_iterations;
+    return outcome;
   }
 
 
 
-  // Pi(u) - F . u, minimal in the displacement formulation; in the mixed one
-  // (u, p) is a saddle point, and Pi has p eliminated.
+  // Pi(u) - F . u with the p that belongs to u, whatever that of the iterate.
   template <int dim>
   void
   ElasticStep<dim>::guard(NewtonProblem &problem, const State &trial)
@@ -215,7 +236,34 @@ namespace MixedCracks
       return potential.slope(along, trial.lagged_phase_field) -
              external * correction;
     };
-    problem.is_minimum = !fields.layout.mixed;
+  }
+
+
+
+  // The solution is a minimum of the potential. Mixed, each iterate gets the p
+  // of its u, and the potential is known with the residual.
+  template <int dim>
+  void
+  ElasticStep<dim>::minimize(NewtonProblem &problem, State &trial)
+  {
+    problem.is_minimum = true;
+    if (!fields.layout.mixed)
+      return;
+    problem.residual = [&]() {
+      {
+        TimerOutput::Scope scope(timer, "assembly");
+        present_potential =
+          potential.value(trial.elastic, trial.lagged_phase_field);
+        if (std::isfinite(present_potential))
+        {
+          trial.elastic = potential.equilibrium();
+          iterate       = trial.elastic;
+        }
+      }
+      present_potential -= external * iterate;
+      return evaluate_residual(trial);
+    };
+    problem.potential = [&]() { return present_potential; };
   }
 
 

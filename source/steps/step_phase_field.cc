@@ -115,11 +115,11 @@ namespace MixedCracks
 
   template <int dim>
   void
-  PhaseFieldStep<dim>::set_bounds(const State           &accepted,
-                                  const FixedPhaseField &fixed)
+  PhaseFieldStep<dim>::set_bounds(const LinearAlgebra::Vector &obstacle,
+                                  const FixedPhaseField       &fixed)
   {
     lower = 0.;
-    upper = accepted.phase_field;
+    upper = obstacle;
     for (const auto dof : fixed.frozen)
       lower(dof) = upper(dof);
     for (const auto &[dof, value] : fixed.prescribed)
@@ -152,13 +152,13 @@ namespace MixedCracks
 
   template <int dim>
   ActiveSetOutcome
-  PhaseFieldStep<dim>::solve(const State           &accepted,
-                             const FixedPhaseField &fixed,
-                             const DrivingForce    &driving_force,
-                             State                 &trial)
+  PhaseFieldStep<dim>::solve(const LinearAlgebra::Vector &obstacle,
+                             const FixedPhaseField       &fixed,
+                             const DrivingForce          &driving_force,
+                             State                       &trial)
   {
     TimerOutput::Scope scope(timer, "phase field");
-    set_bounds(accepted, fixed);
+    set_bounds(obstacle, fixed);
     iterate                      = trial.phase_field;
     const auto          &hanging = constraints.phase_field_hanging_nodes();
     const BoundedProblem problem{

@@ -6,7 +6,13 @@
 
 #include <assembly/elastic_potential.h>
 
+#include <deal.II/dofs/dof_tools.h>
+
 #include <gtest/gtest.h>
+
+#include <steps/phase_field_bounds.h>
+
+#include <map>
 
 using namespace MixedCracks;
 using namespace MixedCracks::Testing;
@@ -34,7 +40,9 @@ namespace
       : RefinedCells(mixed, rubber(plane_stress))
       , potential(fields, constraints, *assembler)
       , phi(phase_field(0.3))
-    {}
+    {
+      potential.reinit();
+    }
 
     Vector
     ghosted(const Vector &owned) const
@@ -123,6 +131,44 @@ TEST(ElasticPotential, DoesNotDependOnThePressureThatItStartsFrom)
 
 
 
+// No force is left on the pressures of the equilibrium that comes with it, and
+// the displacements are those that were given.
+TEST(ElasticPotential, ComesWithThePressureOfItsDisplacements)
+{
+  for (const bool plane_stress : {true, false})
+  {
+    RubberSquare square(true, plane_stress);
+    const auto  &hanging = square.constraints.elastic_hanging_nodes();
+    Vector residual    = square.fields.owned_vector(square.fields.elastic_dofs);
+    const Vector start = square.state();
+    const auto   pressures = dealii::DoFTools::extract_dofs(
+      square.fields.elastic,
+      square.fields.elastic.get_fe().component_mask(square.fields.pressure));
+    const auto force_on_pressures = [&](const Vector &state) {
+      square.assembler->elastic_residual(state, square.phi, hanging, residual);
+      double largest = 0.;
+      for (const auto i : pressures)
+        largest = std::max(largest, std::abs(residual(i)));
+      return dealii::Utilities::MPI::max(largest, MPI_COMM_WORLD);
+    };
+    const double before = force_on_pressures(square.ghosted(start));
+    square.value(start);
+    EXPECT_LT(force_on_pressures(square.potential.equilibrium()),
+              1e-7 * before);
+    for (const auto i : square.fields.elastic_dofs.owned)
+    {
+      const bool is_given =
+        !pressures.is_element(i) && !hanging.is_constrained(i);
+      if (is_given)
+      {
+        EXPECT_EQ(square.potential.equilibrium()(i), start(i));
+      }
+    }
+  }
+}
+
+
+
 // More freedom for the pressure: the potential, a maximum over it, is larger.
 TEST(ElasticPotential, IsBelowTheOneWithThePressureOfEachPoint)
 {
@@ -156,6 +202,37 @@ TEST(ElasticPotential, TangentTimesAVectorIsTheMatrixTimesIt)
     found.add(-1., expected);
     EXPECT_LT(found.linfty_norm(), 1e-11 * expected.linfty_norm());
   }
+}
+
+
+
+// u_x = -2 x^2, F_11 = 1 - 4 x: inside out beyond x = 1/4
+TEST(ElasticPotential, MarksTheNodesOfCellsThatAreTurnedInsideOut)
+{
+  RubberSquare square(false, false);
+  const auto   none  = [](const Point<dim> &) { return 0.; };
+  const Vector state = square.field(
+    [](const Point<dim> &x) { return -2. * x[0] * x[0]; }, none, none);
+  const auto  &dofs    = square.fields.phase_field_dofs;
+  const auto  &hanging = square.constraints.phase_field_hanging_nodes();
+  Vector       marks   = square.fields.owned_vector(dofs);
+  const Vector intact  = square.phase_field(10.);
+  square.assembler->mark_inside_out(
+    square.ghosted(state), intact, hanging, marks);
+  Vector lowered = intact, half = marks;
+  half = 0.5;
+  lower_where(marks, half, lowered);
+
+  std::map<dealii::types::global_dof_index, Point<dim>> places;
+  dealii::DoFTools::map_dofs_to_support_points(
+    square.fields.mapping, square.fields.phase_field, places);
+  for (const auto i : dofs.owned)
+    if (!hanging.is_constrained(i))
+    {
+      const bool is_inside_out = places.at(i)[0] > 0.25 - 1e-9;
+      EXPECT_EQ(marks(i) > 0., is_inside_out) << places.at(i);
+      EXPECT_EQ(lowered(i), is_inside_out ? 0.5 : 1.) << places.at(i);
+    }
 }
 
 
