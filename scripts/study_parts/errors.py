@@ -1,0 +1,6 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""The one exception of this folder."""
+
+
+class StudyError(Exception):
+    """What is wrong with the input, as one line for a person: exit status 2."""
