@@ -5,6 +5,7 @@ import signal
 import sys
 
 from . import collect, resources, runner
+from .progress import Progress
 from .resources import positive
 
 HELP = "run what is missing here, several at a time, and write the table"
@@ -61,8 +62,9 @@ def run_those_left(chosen, launch, arguments):
               flush=True)
     workers = runner.Runner(launch, arguments.jobs)
     workers.listen()
-    progress = Progress(len(left))
-    statuses = workers.all(left, progress.done)
+    progress = Progress(len(left), arguments.jobs)
+    statuses = workers.all(left, progress.done, progress.begin)
+    progress.end()
     for case in chosen:  # names of a case that another name has brought
         if case.record():
             case.make_link()
@@ -78,17 +80,6 @@ def missing_of(chosen):
         if not case.is_complete():
             left.setdefault(case.id, case)
     return list(left.values())
-
-
-class Progress:
-    def __init__(self, n_all):
-        self.n_all, self.n_done = n_all, 0
-
-    def done(self, case, status, reason, seconds):
-        self.n_done += 1
-        print("[%d/%d] %s: exit status %d after %.0f s%s"
-              % (self.n_done, self.n_all, case.name, status, seconds,
-                 "; " + reason if reason else ""), flush=True)
 
 
 def write_table(study, chosen, statuses, whole):

@@ -90,11 +90,13 @@ class Runner:
             self.going_on.discard(process)
             return status, int(self.signal) if self.stopped else None
 
-    def one(self, case):
+    def one(self, case, when_begun=None):
         """(exit status, why, seconds); None for a status when it was not begun."""
         begin = time.monotonic()
         status, reason = None, ""
         if not self.stopped:
+            if when_begun:
+                when_begun(case)
             piece = Piece(case, self.launch.program, self.launch.ranks,
                           self.launch.job)
             try:
@@ -105,12 +107,13 @@ class Runner:
                 status, reason = 127, str(error)
         return status, reason, time.monotonic() - begin
 
-    def all(self, cases, when_done):
-        """{name: exit status} of those that were begun; when_done(case, status,
-        reason, seconds) after each."""
+    def all(self, cases, when_done, when_begun=None):
+        """{name: exit status} of those that were begun; when_begun(case) before and
+        when_done(case, status, reason, seconds) after each."""
         statuses = {}
         with ThreadPoolExecutor(max_workers=self.jobs) as pool:
-            futures = {pool.submit(self.one, case): case for case in cases}
+            futures = {pool.submit(self.one, case, when_begun): case
+                       for case in cases}
             for future in as_completed(futures):
                 status, reason, seconds = future.result()
                 if status is not None:
