@@ -54,13 +54,16 @@ import os
 import sys
 
 sys.path.insert(0, os.path.dirname(os.path.realpath(__file__)))
-from sweep_parts import (command_bisect, command_collect, command_plan,  # noqa: E402
-                         command_run, lock, study)
+from sweep_parts import (command_bisect, command_clean,  # noqa: E402
+                         command_collect, command_plan, command_run, command_status,
+                         command_submit, command_task, lock, study)
 from sweep_parts.errors import SweepError  # noqa: E402
 
 # Each module has HELP, add_options(parser), and run(arguments, study), which returns
 # the exit status.
-COMMANDS = {"plan": command_plan, "run": command_run, "collect": command_collect,
+COMMANDS = {"plan": command_plan, "run": command_run, "submit": command_submit,
+            "task": command_task, "status": command_status,
+            "collect": command_collect, "clean": command_clean,
             "bisect": command_bisect}
 
 

@@ -2,15 +2,15 @@
 """Advances a case by one start of the program: from nothing, or from its checkpoint.
 Whatever drives a sweep goes through here: `run`, `task`, and what is built on them.
 """
+import hashlib
 import os
 import socket
 import time
 
 from . import cases, lock, table
 
-# s. A program whose starter was killed may need a moment to be gone, and a look at
-# the state of a case takes its lock for an instant.
-PATIENCE = 10.
+LOOK = 1.  # s; a look at the state of a case takes its lock for an instant
+PATIENCE = 10.  # s, in a job: the program of its last start may need a moment to go
 GIVE_UP_AFTER = 2  # pieces in a row without a new step
 # a program that is asked to stop while it is being loaded; from a launcher, or not
 KILLED_BY_A_REQUEST = (129, 130, 138, 143, -1, -2, -10, -15)
@@ -24,12 +24,13 @@ class Piece:
 
     def __init__(self, case, program, ranks, job):
         self.case, self.program, self.ranks, self.job = case, program, ranks, job
+        self.patience = PATIENCE if job else LOOK
 
     def advance(self, command, starter):
         """(exit status, why, in words). 0: the case is complete, or was. Others are
         those of the program; 3 also when it does not get on. Raises lock.InUse and
         OSError."""
-        held = self.case.lock(PATIENCE)
+        held = self.case.lock(self.patience)
         try:
             return self.advance_locked(command, starter)
         finally:
@@ -42,7 +43,7 @@ class Piece:
             case.make_link()
             return DONE, ""
         os.makedirs(case.directory, exist_ok=True)
-        wait_until_free(case.directory)
+        wait_until_free(case.directory, self.patience)
         if self.is_hopeless(record):
             reason = no_new_step(record["pieces"])
             record["pieces"][-1].update(exit_status=FAILED, given_up=True,
@@ -72,13 +73,14 @@ class Piece:
         record = record or {"format": 1, "id": case.id, "names": [], "pieces": []}
         if case.name not in record["names"]:
             record["names"].append(case.name)
-        record.update(base=case.base, settings=[list(pair) for pair in case.settings])
+        record.update(base=case.base, settings=dict(case.settings))
         resumed = case.has_checkpoint()
         record["pieces"].append(dict(
             host=socket.gethostname(), process=os.getpid(), started=now(),
             program=self.program.path, revision=self.program.revision,
             checksum=self.program.checksum, ranks=self.ranks,
-            settings=record["settings"], resumed=resumed,
+            settings=record["settings"], base_checksum=checksum_of(case.base),
+            resumed=resumed,
             from_step=case.last_step() if resumed else -1,
             screen_from=size_of(case.path(cases.SCREEN)), **self.job))
         return record
@@ -136,9 +138,11 @@ def reason_of(case, piece, summary):
     """Why a piece did not come to its end: its error message, the reason in its
     summary, or what it wrote last."""
     lines = said_by(case, piece)
-    errors = [line for line in lines if "error:" in line]
+    own = [line for line in lines if "mixed-cracks: error:" in line]
+    # a launcher reports every status that is not 0 as an error of its own
+    others = [line for line in lines if "error:" in line]
     reason = summary.get("exit_reason")
-    last = errors[-1] if errors else str(reason) if reason else (lines or [""])[-1]
+    last = own[-1] if own else str(reason) if reason else (others or lines or [""])[-1]
     status = piece["exit_status"]
     if status < 0 or status > 128:
         last = "killed by signal %d%s" % (-status if status < 0 else status - 128,
@@ -157,9 +161,9 @@ def said_by(case, piece):
     return [line.strip() for line in text.splitlines() if line.strip()]
 
 
-def wait_until_free(directory):
+def wait_until_free(directory, seconds):
     """Until the program of an earlier start is gone. Raises lock.InUse."""
-    deadline = time.monotonic() + PATIENCE
+    deadline = time.monotonic() + seconds
     while True:
         try:
             return lock.require_free(directory)
@@ -167,6 +171,11 @@ def wait_until_free(directory):
             if time.monotonic() > deadline:
                 raise
             time.sleep(0.2)
+
+
+def checksum_of(path):
+    with open(path, "rb") as stream:
+        return hashlib.sha256(stream.read()).hexdigest()
 
 
 def now():

@@ -13,7 +13,6 @@ from study_parts import bisection, critical, derived, here
 from study_parts.errors import StudyError
 
 from . import sweep_file
-from .program import Program
 
 HELP = "the value of an entry at which an answer changes, by bisection"
 OPENS_ITSELF = True
@@ -62,14 +61,15 @@ def run(arguments, _):
     source = derived.Source(arguments.file, arguments.only, arguments.extra)
     output = os.path.abspath(arguments.output or os.path.join(
         "results", source.stem + "_bisect"))
-    program = Program(arguments.program)
+    program = derived.RememberingProgram(arguments.program)
+    runs = here.runs_of(arguments, program)
     wanted = source.runs
     if arguments.variations:
         from study_parts import spread
         wanted = spread.runs_of(source, program, arguments.parameters)
     found = critical.Critical(entry, low, high, arguments.to, question, wanted)
     study = critical.solve(found, source, output, program,
-                           here.Runs(arguments, program), arguments.jobs)
+                           runs, arguments.jobs)
     for line in critical.report(found, study):
         print(line)
     write_files(found, study, output, arguments)

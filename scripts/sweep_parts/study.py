@@ -6,7 +6,6 @@ of scripts/sweep.py begin with.
     study.cases["h_6"].state()               ("complete", "")
     study.case("extra", settings, swept)     one that is not in the file
 """
-import contextlib
 import fnmatch
 import hashlib
 import json
@@ -27,9 +26,10 @@ OWNER = "sweep.json"
 
 class Study:
     """sweep; program; output: directory, absolute; cases: {name: Case}, in order of
-    the file. extra: words after -- on the command line. Raises SweepError."""
+    the file. extra: words after -- on the command line; names: of these cases only,
+    for to ask for an id takes a moment. Raises SweepError."""
 
-    def __init__(self, path, output=None, program=None, extra=()):
+    def __init__(self, path, output=None, program=None, extra=(), names=None):
         self.sweep = Sweep(path)
         require_allowed(extra)
         self.extra = list(extra)
@@ -42,48 +42,59 @@ class Study:
         own, others = split_settings(extra)
         self.telling = [] if "--resume" in others else [entry for entry, _ in own]
         self.require_owner()
-        self.left_out = None
-        self.cases = self.identified()
+        self.ids = {}  # what the program said, of settings
+        self.left_out = set()
+        self.cases = self.identified(list(self.sweep.runs) if names is None else names)
 
-    def identified(self):
-        wanted = [(name, self.sweep.settings(name, self.extra))
-                  for name in self.sweep.runs]
-        with ThreadPoolExecutor(AT_ONCE) as pool:
-            ids = list(pool.map(lambda pair: self.asked(*pair), wanted))
+    def identified(self, names):
+        for name in names:
+            if name not in self.sweep.runs:
+                raise SweepError("there is no run '%s' in %s; there are %s" % (
+                    name, self.sweep.path, ", ".join(self.sweep.runs)))
+        settings = {name: self.sweep.settings(name, self.extra)
+                    for name in self.sweep.runs}
         own = {name: [entry for entry, _ in self.sweep.runs[name].settings]
                + self.telling for name in self.sweep.runs}
-        self.left_out = self.entries_left_out(dict(wanted), dict(
-            (name, found) for (name, _), found in zip(wanted, ids)), own)
-        return {name: Case(name, found + self.suffix(settings, own[name]),
-                           self.sweep.base, settings, self.sweep.runs[name].swept,
-                           self.output)
-                for (name, settings), found in zip(wanted, ids)}
+        with ThreadPoolExecutor(AT_ONCE) as pool:
+            ids = dict(zip(names, pool.map(
+                lambda name: self.asked(name, settings[name]), names)))
+            telling = list(dict.fromkeys(entry for name in names for entry in own[name]))
+            self.left_out = {entry for entry, left_out in zip(telling, pool.map(
+                lambda entry: self.is_left_out(entry, settings, own), telling))
+                if left_out}
+        return {name: Case(name, ids[name] + self.suffix(settings[name], own[name]),
+                           self.sweep.base, settings[name],
+                           self.sweep.runs[name].swept, self.output) for name in names}
 
     def asked(self, name, settings):
-        try:
-            return self.program.case_id(self.sweep.base, options_of(settings))
-        except SweepError as error:
-            raise SweepError("%s: %s" % (name, error))
+        """The id that the program has for settings."""
+        key = tuple(sorted(settings))
+        if key not in self.ids:
+            try:
+                self.ids[key] = self.program.case_id(self.sweep.base,
+                                                     options_of(settings))
+            except SweepError as error:
+                raise SweepError("%s: %s" % (name, error))
+        return self.ids[key]
 
-    def entries_left_out(self, settings, ids, own):
-        """Entries of the runs' own that do not count in the id of the program, as
-        those which may change when a run goes on: where a sweep is about them, cases
-        are told apart by them. Asked by giving each entry another of its values."""
-        left_out = set()
-        for entry in {entry for entries in own.values() for entry in entries}:
-            name = next(name for name in own if entry in own[name])
-            mine = dict(settings[name])
-            others = {canonical(dict(other)[entry]): dict(other)[entry]
-                      for other in settings.values() if entry in dict(other)}
-            others.pop(canonical(mine[entry]), None)
-            if others:
-                mine[entry] = next(iter(others.values()))
-            else:
-                del mine[entry]
-            with contextlib.suppress(SweepError):  # then it counts
-                if self.asked(name, list(mine.items())) == ids[name]:
-                    left_out.add(entry)
-        return left_out
+    def is_left_out(self, entry, settings, own):
+        """Whether an entry of the runs' own does not count in the id of the program,
+        as those do not which may change when a run goes on: where a sweep is about
+        them, cases are told apart by them. Asked by giving the entry another of its
+        values, or none."""
+        name = next(name for name in own if entry in own[name])
+        mine = dict(settings[name])
+        values = {canonical(value): value for other in settings.values()
+                  for key, value in other if key == entry}
+        own_id = self.asked(name, list(mine.items()))
+        values.pop(canonical(mine[entry]))
+        del mine[entry]
+        if values:
+            mine[entry] = next(iter(values.values()))
+        try:
+            return self.asked(name, list(mine.items())) == own_id
+        except SweepError:  # it matters, then
+            return False
 
     def suffix(self, settings, own):
         """What is added to the id of the program."""
@@ -101,11 +112,8 @@ class Study:
                       + split_settings(self.extra)[0])
         own = [entry for entry, _ in settings] + self.telling
         found = self.asked(name, full)
-        for entry in own:
-            without = [pair for pair in full if pair[0] != entry]
-            with contextlib.suppress(SweepError):
-                if self.asked(name, without) == found:
-                    self.left_out.add(entry)
+        self.left_out |= {entry for entry in own if self.is_left_out(
+            entry, {name: full}, {name: own})}
         return Case(name, found + self.suffix(full, own), self.sweep.base, full,
                     dict(settings) if swept is None else swept, self.output)
 
@@ -142,11 +150,11 @@ class Study:
                                  "earlier version of this one; choose another directory "
                                  "with --output, or move it away" % path)
 
-    def claim(self):
+    def claim(self, wait=0.):
         """Makes the directory, as that of this sweep file; returns its lock, held.
-        Raises lock.InUse and OSError."""
+        wait: s, while somebody else has it. Raises lock.InUse and OSError."""
         os.makedirs(self.output, exist_ok=True)
-        held = lock.Lock(self.output)
+        held = lock.Lock(self.output, wait=wait)
         try:
             self.require_owner()  # somebody may have been faster
             self.note_owner()
@@ -157,6 +165,8 @@ class Study:
 
     def note_owner(self):
         path = os.path.join(self.output, OWNER)
+        if self.owner():
+            return
         new = "%s.%d" % (path, os.getpid())
         with open(new, "w", encoding="utf-8") as stream:
             json.dump({"file": os.path.abspath(self.sweep.path)}, stream)

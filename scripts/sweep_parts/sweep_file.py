@@ -81,7 +81,7 @@ class Sweep:
         if equals and key in ("grid", "zip"):
             self.grids.read(key, words_of(rest), number)
         elif equals and key == "name":
-            self.read_pattern(rest)
+            self.read_pattern(rest, number)
         elif equals and key.startswith("set ") and NAME.match(key[4:]):
             self.only_once(key, number)
             self.sets[key[4:]] = settings_of(words_of(rest))
@@ -122,7 +122,7 @@ class Sweep:
         if not os.path.isfile(self.base):
             raise SweepError("there is no base file '%s'" % self.base)
 
-    def read_pattern(self, rest):
+    def read_pattern(self, rest, number):
         pattern = rest.strip().strip("\"'")
         if self.grids.pattern is not None:
             raise SweepError("'name' is given a second time")
@@ -130,6 +130,7 @@ class Sweep:
             raise SweepError("name expects a pattern as h_{Notch height}, found '%s'"
                              % rest.strip())
         self.grids.pattern = pattern
+        self.grids.line = self.grids.line or number
 
     def own_settings(self, words):
         """Of a run: names of sets, then --set."""
