@@ -55,8 +55,9 @@ import sys
 
 sys.path.insert(0, os.path.dirname(os.path.realpath(__file__)))
 from sweep_parts import (command_bisect, command_clean,  # noqa: E402
-                         command_collect, command_plan, command_run, command_status,
-                         command_submit, command_task, lock, study)
+                         command_collect, command_compare, command_plan, command_run,
+                         command_status, command_submit, command_task,
+                         command_uncertainty, lock, study)
 from sweep_parts.errors import SweepError  # noqa: E402
 
 # Each module has HELP, add_options(parser), and run(arguments, study), which returns
@@ -64,7 +65,8 @@ from sweep_parts.errors import SweepError  # noqa: E402
 COMMANDS = {"plan": command_plan, "run": command_run, "submit": command_submit,
             "task": command_task, "status": command_status,
             "collect": command_collect, "clean": command_clean,
-            "bisect": command_bisect}
+            "compare": command_compare, "bisect": command_bisect,
+            "uncertainty": command_uncertainty}
 
 
 def read_arguments(words):

@@ -23,12 +23,12 @@ def increasing(x, y, what):
     x, y = np.asarray(x, float), np.asarray(y, float)
     known = np.isfinite(x) & np.isfinite(y)
     x, y = x[known], y[known]
-    if len(x) < 2 or not x[-1] > x[0]:
-        raise StudyError("%s: a curve needs two points with different displacements"
-                         % what)
     if (np.diff(x) < 0.).any():
         raise StudyError("%s: the displacement goes back from %g to %g mm: not one "
                          "force per displacement" % ((what,) + first_fall(x)))
+    if len(x) < 2 or x[-1] == x[0]:
+        raise StudyError("%s: a curve needs two points with different displacements"
+                         % what)
     return x, y
 
 

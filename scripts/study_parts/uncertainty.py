@@ -6,6 +6,10 @@ The contribution of a group (variations.py) is its largest difference from the c
 those of groups that have nothing to do with each other are added as squares."""
 import math
 
+import numpy as np
+
+from report_parts import crack_path
+
 from . import polylines, variations
 from .errors import StudyError
 
@@ -20,6 +24,15 @@ class Answer:
         self.lines, self.outcome = lines, outcome
 
 
+def answer_of(run):
+    """The Answer of a StudyRun; None where there is none, or no peak."""
+    if run is None or run.peak is None:
+        return None
+    cracks = crack_path.cracks_at_end(run.results.directory, []) or []
+    lines = [np.array(crack.points) for crack in cracks if len(crack.points) > 1]
+    return Answer(run.peak[1], run.peak[0], lines, run.outcome)
+
+
 class Difference:
     """Of a variation from the case: peak (N), displacement (mm), path: Apart or None,
     and whether outcome and start are the same. Without an answer all are None."""
@@ -27,7 +40,7 @@ class Difference:
     def __init__(self, variation, answer, base):
         self.variation, self.answer = variation, answer
         self.peak = self.displacement = self.path = self.same_outcome = None
-        if answer is None:
+        if answer is None or base is None:
             return
         self.peak = answer.peak - base.peak
         self.displacement = answer.displacement - base.displacement

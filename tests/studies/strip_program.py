@@ -10,7 +10,7 @@
                        'through hole' above
 
 h: notch height; level: adaptive levels. Heights between Model/Fails from and
-Model/Fails to end with exit status 3. Every start is noted in starts.txt of the
+Model/Fails to, and cells below Model/Fails with cells below, end with exit status 3. Every start is noted in starts.txt of the
 directory STRIP_STARTS.
 """
 import hashlib
@@ -41,6 +41,7 @@ subsection Model
   set Coupling tolerance = 1e-3
   set Fails from         = 0
   set Fails to           = 0
+  set Fails with cells below = 0
 end
 subsection Material
   set Shear modulus                = 4
@@ -103,7 +104,9 @@ class Strip:
         self.height = number("Geometry/Punctured strip/Notch height")
         self.level = number("Mesh/Adaptive levels")
         self.mirrored = values["Geometry/Punctured strip/Mirrored mesh"] == "true"
-        self.fails = number("Model/Fails from") < self.height < number("Model/Fails to")
+        self.fails = number("Model/Fails from") < self.height < number("Model/Fails to") \
+            or number("Geometry/Punctured strip/Cell size") \
+            < number("Model/Fails with cells below")
         self.peak = 10. * math.sqrt(number("Material/Shear modulus") * number(
             "Material/Critical energy release rate")) * (
                 1. + 0.02 * (number("Load stepping/First step") - 0.6))

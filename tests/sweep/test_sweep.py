@@ -468,7 +468,7 @@ class Studies(Case):
                            ("name,displacement_mm,force_N_per_mm\na,1\n", "r.csv:2:"),
                            ("name,displacement_mm,force_N_per_mm\na,1,x\n", "r.csv:2:"),
                            ("name,displacement_mm,force_N_per_mm\na,1,2\na,1,2\n",
-                            "given twice"), ("", "expected a header")):
+                            "different displacements"), ("", "expected a header")):
             synthetic_run.write(self.path("r.csv"), text)
             process = self.study("compare", self.path("r.csv"), status=2)
             self.assertIn(word, process.stderr)
