@@ -9,6 +9,7 @@ import collections
 import numpy as np
 
 SAMPLES = 2000  # along all polylines of a path
+ROUNDING = 1e-12  # of the length: what is nearer is the same
 
 # of one path from another, both ways: mean over the length, and Hausdorff distance
 Apart = collections.namedtuple("Apart", "mean hausdorff")
@@ -57,7 +58,9 @@ def one_way(lines, others):
     along = distances(samples_of(lines), others)
     # the farthest point is mostly an end or a corner, which no sample hits
     corners = distances(np.concatenate(lines), others)
-    return float(along.mean()), float(max(along.max(), corners.max()))
+    found = float(along.mean()), float(max(along.max(), corners.max()))
+    small = ROUNDING * sum(map(length_of, lines))
+    return tuple(0. if value <= small else value for value in found)
 
 
 def apart(first, second):
