@@ -18,7 +18,7 @@ import tempfile
 import time
 
 import slurm
-from common import SKIPPED, Sweep, overlaps
+from sweeps import SKIPPED, Sweep, overlaps
 
 SWEEP = """base = base.prm
 common = --set Model/Steps=3 --set Model/Seconds=0.1

@@ -15,7 +15,7 @@ import tempfile
 import traceback
 
 import slurm
-from common import SKIPPED, Sweep, overlaps
+from sweeps import SKIPPED, Sweep, overlaps
 
 sys.path.append(str(pathlib.Path(__file__).resolve().parents[1]))
 import program  # noqa: E402
