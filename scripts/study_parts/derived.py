@@ -11,29 +11,12 @@ import shlex
 
 from report_parts import parameters
 from sweep_parts import sweep_file
-from sweep_parts.program import Program
 from sweep_parts.study import Study
 
 from .errors import StudyError
 
 HEAD = "# Made by sweep.py %s of %s.\n" \
     "# It is written anew each time; every command of sweep.py works on it.\n\n"
-
-
-class RememberingProgram(Program):
-    """Asks for the id of a case once: a study that grows asks for all its cases each
-    time, and every question is a start of the program."""
-
-    def __init__(self, path=None):
-        super().__init__(path)
-        self.ids = {}
-
-    def case_id(self, base, options):
-        stat = os.stat(base)
-        key = base, stat.st_mtime_ns, stat.st_size, tuple(options)
-        if key not in self.ids:
-            self.ids[key] = super().case_id(base, options)
-        return self.ids[key]
 
 
 class Source:

@@ -4,6 +4,7 @@ Whatever drives a sweep goes through here: `run`, `task`, and what is built on t
 """
 import hashlib
 import os
+import signal
 import socket
 import time
 
@@ -12,6 +13,9 @@ from . import cases, lock, table
 LOOK = 1.  # s; a look at the state of a case takes its lock for an instant
 PATIENCE = 10.  # s, in a job: the program of its last start may need a moment to go
 GIVE_UP_AFTER = 2  # pieces in a row without a new step
+# signals after which a job is to go on: none, as with Output/Wall time limit, or the
+# one that tells that its time is over
+OF_ITSELF = (None, int(signal.SIGUSR1))
 # a program that is asked to stop while it is being loaded; from a launcher, or not
 KILLED_BY_A_REQUEST = (129, 130, 138, 143, -1, -2, -10, -15)
 DONE, REFUSED, FAILED, FILES, STOPPED, TOO_EARLY = 0, 2, 3, 4, 5, 6
@@ -44,6 +48,8 @@ class Piece:
             return DONE, ""
         os.makedirs(case.directory, exist_ok=True)
         wait_until_free(case.directory, self.patience)
+        if has_ended_alone(record, case):
+            return self.end(record, DONE, None)
         if self.is_hopeless(record):
             reason = no_new_step(record["pieces"])
             record["pieces"][-1].update(exit_status=FAILED, given_up=True,
@@ -85,8 +91,9 @@ class Piece:
             screen_from=size_of(case.path(cases.SCREEN)), **self.job))
         return record
 
-    def end(self, record, status, signal):
-        """Notes how the piece has ended; what advance() returns."""
+    def end(self, record, status, asked):
+        """Notes how the piece has ended; what advance() returns. asked: the number of
+        the signal that was to end it, or None."""
         case, piece = self.case, record["pieces"][-1]
         summary = case.summary()
         # mpirun makes 1 of most failures
@@ -94,16 +101,16 @@ class Piece:
             status = summary["exit_status"]
         if status == 0 and summary.get("exit_status") != 0:
             status = FILES
-        if signal is not None and status in KILLED_BY_A_REQUEST:
+        if asked is not None and status in KILLED_BY_A_REQUEST:
             status = STOPPED if case.has_checkpoint() else TOO_EARLY
         piece.update(exit_status=status, ended=now(), to_step=case.last_step())
-        if signal is not None:
-            piece["signal"] = signal
+        if asked is not None:
+            piece["signal"] = asked
         if status == 0:
             record["complete"] = True
         else:
             piece["reason"] = reason_of(case, piece, summary)
-        if status in (STOPPED, TOO_EARLY) and signal is None \
+        if status in (STOPPED, TOO_EARLY) and asked in OF_ITSELF \
                 and without_new_step(record["pieces"]) >= GIVE_UP_AFTER:
             piece.update(given_up=True, reason=no_new_step(record["pieces"]))
             status = FAILED
@@ -111,6 +118,12 @@ class Piece:
         if record.get("complete"):
             cases.make_read_only(case.directory)
         return status, piece.get("reason", "")
+
+
+def has_ended_alone(record, case):
+    """Whether the program has come to its end after its starter was killed."""
+    return bool(record) and "exit_status" not in record["pieces"][-1] \
+        and case.summary().get("exit_status") == 0
 
 
 def without_new_step(pieces):
@@ -122,7 +135,7 @@ def without_new_step(pieces):
         end = piece.get("to_step", piece.get("from_step", -1))
         if piece.get("given_up") or end > reached:
             count = 0
-        elif "signal" not in piece:
+        elif piece.get("signal") in OF_ITSELF:
             count += 1
         reached = max(reached, end)
     return count

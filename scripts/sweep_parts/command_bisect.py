@@ -13,6 +13,7 @@ from study_parts import bisection, critical, derived, here
 from study_parts.errors import StudyError
 
 from . import sweep_file
+from .program import Program
 
 HELP = "the value of an entry at which an answer changes, by bisection"
 OPENS_ITSELF = True
@@ -61,7 +62,7 @@ def run(arguments, _):
     source = derived.Source(arguments.file, arguments.only, arguments.extra)
     output = os.path.abspath(arguments.output or os.path.join(
         "results", source.stem + "_bisect"))
-    program = derived.RememberingProgram(arguments.program)
+    program = Program(arguments.program)
     runs = here.runs_of(arguments, program)
     wanted = source.runs
     if arguments.variations:

@@ -16,12 +16,11 @@ to be called again; another one is that of the program. Of several cases the fir
 5, 4, 3, 2, others that occurs.
 """
 import os
-import signal
 import sys
 import time
 
 from . import manifest, resources, runner, slurm
-from .advance import FAILED, FILES, PATIENCE, REFUSED, STOPPED, TOO_EARLY
+from .advance import FAILED, FILES, OF_ITSELF, PATIENCE, REFUSED, STOPPED, TOO_EARLY
 from .errors import SweepError
 from .program import Program
 from .study import Study
@@ -45,7 +44,7 @@ def run(arguments, _):
     statuses = workers.all(cases, report)
     status = worst([statuses.get(case.name, STOPPED) for case in cases])
     if status == STOPPED and "SLURM_JOB_ID" in os.environ \
-            and workers.signal in (None, signal.SIGUSR1):
+            and workers.signal in OF_ITSELF:
         requeue()
     return status
 

@@ -13,6 +13,7 @@ from study_parts import derived, drawing, here, variations
 from study_parts.errors import StudyError
 
 from . import sweep_file
+from .program import Program
 
 HELP = "how sure peak, displacement and path are: one change at a time"
 OPENS_ITSELF = True
@@ -41,7 +42,7 @@ def run(arguments, _):
     name = next(iter(source.runs))
     output = os.path.abspath(arguments.output or os.path.join(
         "results", name + "_uncertainty"))
-    program = derived.RememberingProgram(arguments.program)
+    program = Program(arguments.program)
     several = variations.variations_of(
         source.effective(name, program),
         [sweep_file.entry_of(text) for text in arguments.parameters],

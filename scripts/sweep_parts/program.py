@@ -85,11 +85,12 @@ class Program:
             self.known["checksum"] = digest.hexdigest()
         return self.known["checksum"]
 
-    def case_id(self, base, options):
+    def case_id(self, base, options, scope="problem"):
         """What a case is, as `mixed-cracks --case-id` says: the same for the same
-        parameters and files read, whatever they are written like. Raises SweepError
-        with its message for wrong input."""
-        status, output, errors = self.said(base, *options, "--case-id")
+        parameters and files read, whatever they are written like. scope: 'full' where
+        entries count that may change when a run goes on. Raises SweepError with the
+        message of the program for wrong input."""
+        status, output, errors = self.said(base, *options, "--case-id=" + scope)
         lines = output.split("\n")
         if status == 0 and len(lines) == 2 and ID.match(lines[0]):
             return lines[0]

@@ -14,7 +14,7 @@ from concurrent.futures import ThreadPoolExecutor
 
 from report_parts import safe
 
-from . import lock
+from . import id_cache, lock
 from .cases import Case
 from .errors import SweepError
 from .program import Program
@@ -42,9 +42,10 @@ class Study:
         own, others = split_settings(extra)
         self.telling = [] if "--resume" in others else [entry for entry, _ in own]
         self.require_owner()
-        self.ids = {}  # what the program said, of settings
+        self.ids = id_cache.IdCache(self.output, self.program, self.sweep.base)
         self.left_out = set()
         self.cases = self.identified(list(self.sweep.runs) if names is None else names)
+        self.ids.write()
 
     def identified(self, names):
         for name in names:
@@ -62,20 +63,20 @@ class Study:
             self.left_out = {entry for entry, left_out in zip(telling, pool.map(
                 lambda entry: self.is_left_out(entry, settings, own), telling))
                 if left_out}
-        return {name: Case(name, ids[name] + self.suffix(settings[name], own[name]),
-                           self.sweep.base, settings[name],
-                           self.sweep.runs[name].swept, self.output) for name in names}
+            suffixes = dict(zip(names, pool.map(
+                lambda name: self.suffix(name, settings[name], own[name]), names)))
+        return {name: Case(name, ids[name] + suffixes[name], self.sweep.base,
+                           settings[name], self.sweep.runs[name].swept, self.output)
+                for name in names}
 
-    def asked(self, name, settings):
+    def asked(self, name, settings, scope="problem"):
         """The id that the program has for settings."""
-        key = tuple(sorted(settings))
-        if key not in self.ids:
-            try:
-                self.ids[key] = self.program.case_id(self.sweep.base,
-                                                     options_of(settings))
-            except SweepError as error:
-                raise SweepError("%s: %s" % (name, error))
-        return self.ids[key]
+        words = options_of(sorted(settings))
+        try:
+            return self.ids.asked(words + [scope], lambda: self.program.case_id(
+                self.sweep.base, words, scope))
+        except SweepError as error:
+            raise SweepError("%s: %s" % (name, error))
 
     def is_left_out(self, entry, settings, own):
         """Whether an entry of the runs' own does not count in the id of the program,
@@ -96,13 +97,21 @@ class Study:
         except SweepError:  # it matters, then
             return False
 
-    def suffix(self, settings, own):
-        """What is added to the id of the program."""
+    def suffix(self, name, settings, own):
+        """What is added to the id of the program: entries that it leaves out, unless
+        they say what holds without them."""
         counted = ["%s=%s" % (entry, canonical(value)) for entry, value
-                   in sorted(settings) if entry in own and entry in self.left_out]
+                   in sorted(settings) if entry in own and entry in self.left_out
+                   and self.matters(name, settings, entry)]
         if not counted:
             return ""
         return "-" + hashlib.sha256("\n".join(counted).encode()).hexdigest()[:8]
+
+    def matters(self, name, settings, entry):
+        """Whether an entry changes anything, by the id in which all but output
+        counts."""
+        without = [pair for pair in settings if pair[0] != entry]
+        return self.asked(name, settings, "full") != self.asked(name, without, "full")
 
     def case(self, name, settings, swept=None):
         """One more case, that is not in the file: base and common with these
@@ -114,7 +123,9 @@ class Study:
         found = self.asked(name, full)
         self.left_out |= {entry for entry in own if self.is_left_out(
             entry, {name: full}, {name: own})}
-        return Case(name, found + self.suffix(full, own), self.sweep.base, full,
+        suffix = self.suffix(name, full, own)
+        self.ids.write()
+        return Case(name, found + suffix, self.sweep.base, full,
                     dict(settings) if swept is None else swept, self.output)
 
     def chosen(self, patterns=None):

@@ -124,10 +124,22 @@ class Cluster:
         assert process.returncode == 0 or not check, (words, process.stdout)
         return process.stdout
 
+    def answer(self, *words):
+        """Of a command that the controller may need some attempts for: an error is
+        not an empty queue."""
+        deadline = time.monotonic() + WAIT
+        while True:
+            try:
+                return self.said(*words, check=True)
+            except (AssertionError, subprocess.TimeoutExpired):
+                if time.monotonic() > deadline:
+                    raise
+            time.sleep(0.5)
+
     def queue(self):
         """{id of a task: (state, name of the job, reason)} of what is in the queue."""
         found = {}
-        for line in self.said("squeue", "-h", "-r", "-o", "%i|%T|%j|%r").splitlines():
+        for line in self.answer("squeue", "-h", "-r", "-o", "%i|%T|%j|%r").splitlines():
             words = line.split("|")
             if len(words) == 4:
                 found[words[0]] = tuple(words[1:])
@@ -136,8 +148,7 @@ class Cluster:
     def wait_until_empty(self, seconds, pause=0.5):
         deadline = time.monotonic() + seconds
         while True:
-            # an answer, and not only no controller
-            text = self.said("squeue", "-h", "-r", "-o", "%i %T %r")
+            text = self.answer("squeue", "-h", "-r", "-o", "%i %T %r")
             if not text.strip():
                 return
             assert time.monotonic() < deadline, text

@@ -9,10 +9,12 @@ Entries, by --set or as lines 'Entry = value' of the base file:
   Model/Steps=N        N steps with a checkpoint after each; 0, the default, is all
                        at once
   Model/Seconds=T      of each step
+  Model/Gate=F         before step 4, wait until there is a file F beside the
+                       base
   Model/Stuck=N        no step after the N-th comes to its end: exit status 5
   Mesh/File name=F     a file that is read, relative to the base
-  Output/..., Load stepping/...
-                       do not count in the id
+  Output/...           do not count in the id
+  Load stepping/...    count in --case-id=full only
 Every start, step and end is noted in events.txt beside the output directory: time,
 name of the directory, process, word, step.
 """
@@ -27,8 +29,9 @@ import time
 sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)),
                                 os.pardir, "report"))
 
-DEFAULTS = {"Model/Steps": "0", "Model/Seconds": "0", "Model/Stuck": "-1"}
+DEFAULTS = {"Load stepping/First step": "1", "Model/Steps": "0", "Model/Seconds": "0", "Model/Stuck": "-1"}
 ASKED = []
+GATED = 4
 
 
 def fail(status, message):
@@ -75,7 +78,8 @@ def canonical(value):
         return " ".join(value.split())
 
 
-def case_id(base, parameters):
+def case_id(base, parameters, scope):
+    out = ("Output/",) + (() if scope == "full" else ("Load stepping/",))
     counted = {}
     for entry, value in parameters.items():
         if entry == "Mesh/File name":
@@ -84,7 +88,7 @@ def case_id(base, parameters):
                 fail(2, "Mesh/File name: there is no file '%s'" % path)
             with open(path, "rb") as stream:
                 counted[entry] = hashlib.sha256(stream.read()).hexdigest()
-        elif not entry.startswith(("Output/", "Load stepping/")) \
+        elif not entry.startswith(out) \
                 and canonical(value) != DEFAULTS.get(entry):
             counted[entry] = canonical(value)
     text = json.dumps(counted, sort_keys=True)
@@ -92,7 +96,9 @@ def case_id(base, parameters):
 
 
 class Run:
-    def __init__(self, output, parameters):
+    def __init__(self, output, parameters, base):
+        self.gate = os.path.join(os.path.dirname(base),
+                                 parameters.get("Model/Gate", ""))
         self.output, self.parameters = output, parameters
         self.seal = os.path.join(output, "checkpoint", "generation-0", "seal.txt")
         os.makedirs(os.path.dirname(self.seal), exist_ok=True)
@@ -128,6 +134,9 @@ class Run:
             end = time.monotonic() + seconds
             while time.monotonic() < end and not ASKED:
                 time.sleep(min(0.02, seconds))
+            while not ASKED and step == GATED and not os.path.exists(
+                    self.gate):
+                time.sleep(0.05)
             if ASKED or step > stuck >= 0:
                 self.stop(step - 1)
             self.note("step", step)
@@ -198,12 +207,13 @@ def main():
         print("mixed-cracks 0 (revision %s)" % os.environ.get("FAKE_REVISION", "fake"))
         return
     parameters = effective(base, settings)
-    if "--case-id" in options:
-        print(case_id(base, parameters))
-        return
+    for option in options:
+        if option.startswith("--case-id"):
+            print(case_id(base, parameters, option.partition("=")[2]))
+            return
     for number in (signal.SIGUSR1, signal.SIGTERM):
         signal.signal(number, lambda *_: ASKED.append(1))
-    run = Run(output, parameters)
+    run = Run(output, parameters, base)
     held = locked(run)
     run.note("start")
     with open(os.path.join(output, "settings.txt"), "w") as stream:
