@@ -9,6 +9,10 @@
     scripts/sweep.py status FILE.sweep             what is queued, running, failed
     scripts/sweep.py collect FILE.sweep            the table
     scripts/sweep.py clean FILE.sweep              what nothing leads to any more
+    scripts/sweep.py report FILE.sweep             a page of it all, report.html
+    scripts/sweep.py compare FILE.sweep --reference experiments.csv
+    scripts/sweep.py bisect FILE.sweep --vary "ENTRY" LOW HIGH --on outcome --to WIDTH
+    scripts/sweep.py uncertainty CASE.prm          one change at a time
     scripts/sweep.py FILE.sweep --jobs 4           the same as run
     scripts/sweep.py run FILE.sweep -- --set "Mesh/Adaptive levels=1"
 
@@ -55,9 +59,9 @@ import sys
 
 sys.path.insert(0, os.path.dirname(os.path.realpath(__file__)))
 from sweep_parts import (command_bisect, command_clean,  # noqa: E402
-                         command_collect, command_compare, command_plan, command_run,
-                         command_status, command_submit, command_task,
-                         command_uncertainty, lock, study)
+                         command_collect, command_compare, command_plan,
+                         command_report, command_run, command_status, command_submit,
+                         command_task, command_uncertainty, lock, study)
 from sweep_parts.errors import SweepError  # noqa: E402
 
 # Each module has HELP, add_options(parser), and run(arguments, study), which returns
@@ -66,7 +70,7 @@ COMMANDS = {"plan": command_plan, "run": command_run, "submit": command_submit,
             "task": command_task, "status": command_status,
             "collect": command_collect, "clean": command_clean,
             "compare": command_compare, "bisect": command_bisect,
-            "uncertainty": command_uncertainty}
+            "uncertainty": command_uncertainty, "report": command_report}
 
 
 def read_arguments(words):

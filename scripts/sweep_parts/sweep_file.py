@@ -37,8 +37,8 @@ from .errors import SweepError
 
 NAME = re.compile(r"[A-Za-z0-9][A-Za-z0-9_.+-]*$")
 # what has a name of its own in the directory of a sweep
-TAKEN = ("cases", "submissions", "sweep.csv", "sweep.json", "ids.json",
-         "pages")
+TAKEN = ("cases", "submissions", "sweep.csv", "sweep.json", "ids.json", "pages",
+         "report.html", "comparison", "comparison.md", "comparison.csv")
 
 # settings: [(entry, value)] of a run's own; swept: {title: value}, what a table of
 # the sweep names, by entry, or by the title of a grid of sets

@@ -10,8 +10,8 @@
                        'through hole' above
 
 h: notch height; level: adaptive levels. Heights between Model/Fails from and
-Model/Fails to, and cells below Model/Fails with cells below, end with exit status 3. Every start is noted in starts.txt of the
-directory STRIP_STARTS.
+Model/Fails to, and cells below Model/Fails with cells below, end with exit status 3.
+Every start is noted in starts.txt of the directory STRIP_STARTS.
 """
 import hashlib
 import json
@@ -87,6 +87,13 @@ def canonical(value):
         return value
 
 
+def case_id(values, scope):
+    """Of the problem: without what may change when a run goes on."""
+    counted = {entry: value for entry, value in values.items() if scope == "full"
+               or not entry.startswith(("Load stepping/", "Model/Coupling tolerance"))}
+    return hashlib.sha256(json.dumps(counted, sort_keys=True).encode()).hexdigest()[:32]
+
+
 def prm_of(values):
     """As statements, each in subsections of its own."""
     text = ""
@@ -144,10 +151,10 @@ def main():
         print(DEFAULTS)
         return 0
     values = effective(base, settings)
-    if "--case-id" in options:
-        print(hashlib.sha256(json.dumps(values, sort_keys=True).encode())
-              .hexdigest()[:32])
-        return 0
+    for scope in ("problem", "full"):
+        if "--case-id=" + scope in options:
+            print(case_id(values, scope))
+            return 0
     with open(os.path.join(os.environ["STRIP_STARTS"], "starts.txt"), "a",
               encoding="utf-8") as stream:
         stream.write("%s\n" % values["Geometry/Punctured strip/Notch height"])
