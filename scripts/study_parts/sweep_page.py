@@ -8,7 +8,7 @@ import os
 import urllib.parse
 
 from report_parts import curves, page
-from sweep_parts import collect, progress, studies, study_cracks, study_curves
+from sweep_parts import cases, collect, progress, studies, study_cracks, study_curves
 
 REFRESH = "<meta http-equiv=\"refresh\" content=\"%d\">\n"
 SECONDS = 30
@@ -58,12 +58,12 @@ def state_cell(case, row):
                                                       page.escaped(words or ""))
 
 
-def table_of(study, cases, rows):
-    swept = list(collect.swept_titles(cases).values())
+def table_of(study, chosen, rows):
+    swept = list(collect.swept_titles(chosen).values())
     head = ["case", "state"] + swept + [title for _, title in SHOWN] \
         + ["case id", "revision"]
     text = "<tr>%s</tr>" % "".join("<th>%s</th>" % page.escaped(t) for t in head)
-    for case, row in zip(cases, rows):
+    for case, row in zip(chosen, rows):
         cells = [name_cell(study, case), state_cell(case, row)]
         cells += [page.escaped(shown(row.get(column))) for column in swept]
         cells += [page.escaped(shown(row.get(column))) for column, _ in SHOWN]
@@ -83,10 +83,10 @@ def others_of(study):
     return "<p class=\"note\">%s</p>" % " · ".join(found) if found else ""
 
 
-def runs_of(cases):
+def runs_of(chosen):
     """[StudyRun] of the cases that have rows, at most MOST, and how many are left
     out."""
-    there = [case for case in cases
+    there = [case for case in chosen
              if os.path.isfile(case.path("statistics.csv"))]
     return [studies.StudyRun(case.name, case.directory) for case in there[:MOST]], \
         max(0, len(there) - MOST)
@@ -115,7 +115,8 @@ def crack_part(runs, n_more):
 
 def counts_of(rows):
     counts = collections.Counter(row["state"] for row in rows)
-    return ", ".join("%d %s" % (number, state) for state, number in counts.items())
+    return ", ".join("%d %s" % (counts[state], state)
+                     for state in reversed(cases.STATES) if counts[state])
 
 
 def is_over(rows):
@@ -130,11 +131,11 @@ def foot(study):
         page.escaped(study.output))
 
 
-def written(study, cases):
+def written(study, chosen):
     """(the page as text, whether nothing more is to come)."""
-    rows, remarks = collect.rows_of(cases), []
+    rows, remarks = collect.rows_of(chosen), []
     title = os.path.splitext(os.path.basename(study.sweep.path))[0]
-    runs, n_more = runs_of(cases)
+    runs, n_more = runs_of(chosen)
     middle = page.guarded(remarks, "The curves", curve_part, runs, n_more) \
         + page.guarded(remarks, "The cracks", crack_part, runs, n_more)
     mixture = collect.mixture_of(rows)
@@ -144,7 +145,7 @@ def written(study, cases):
     if remarks:
         body += "<aside><h2>Please note</h2><ul>%s</ul></aside>\n" % "".join(
             "<li>%s</li>" % page.escaped(remark) for remark in remarks)
-    body += page.section("Cases", table_of(study, cases, rows) + others_of(study),
+    body += page.section("Cases", table_of(study, chosen, rows) + others_of(study),
                          "long") + middle + foot(study)
     text = page.in_frame(title, body)
     if not is_over(rows):
@@ -152,10 +153,10 @@ def written(study, cases):
     return text, is_over(rows)
 
 
-def write_pages(study, cases):
+def write_pages(study, chosen):
     """A page for each case with rows that is newer than its page."""
     os.makedirs(os.path.join(study.output, FOLDER), exist_ok=True)
-    for case in cases:
+    for case in chosen:
         rows, target = case.path("statistics.csv"), path_of_page(study, case)
         if not os.path.isfile(rows) or (
                 os.path.isfile(target)
