@@ -8,9 +8,11 @@ compare, report."""
 import fnmatch
 import os
 import shlex
+import sys
 
 from report_parts import parameters
 from sweep_parts import sweep_file
+from sweep_parts.errors import SweepError
 from sweep_parts.study import Study
 
 from .errors import StudyError
@@ -57,6 +59,25 @@ class Source:
         found = parameters.parameters_of(text)
         found.update(parameters.read_parameters(self.base))
         found.update(self.runs[name])
+        return found
+
+
+    def varied(self, name, variation):
+        """[(entry, value)] of a run with those of a Variation."""
+        return list(dict(self.runs[name] + list(variation.settings)).items())
+
+    def allowed(self, name, several, program):
+        """Those of the variations that the program takes; says why it refuses others,
+        as a mesh that is its own mirror image."""
+        found = []
+        for variation in several:
+            try:
+                program.case_id(self.base, sweep_file.options_of(
+                    self.varied(name, variation)))
+                found.append(variation)
+            except SweepError as error:
+                print("left out: %s: %s: %s" % (variation.group, variation.name, error),
+                      file=sys.stderr)
         return found
 
 

@@ -7,14 +7,14 @@ from . import variations
 
 
 def variation_name(run, variation):
-    return run if variation is None else "%s_%s" % (run,
-                                                    variations.case_name(variation))
+    return "%s_%s" % (run, variations.case_name(variation))
 
 
 def variations_by_run(source, program, entries, share=0.1):
     """{run: [Variation]}"""
-    return {name: variations.variations_of(source.effective(name, program), entries,
-                                           share) for name in source.runs}
+    return {name: source.allowed(name, variations.variations_of(
+        source.effective(name, program), entries, share), program)
+        for name in source.runs}
 
 
 def runs_of(source, program, entries):
@@ -24,9 +24,7 @@ def runs_of(source, program, entries):
     for name, several in variations_by_run(source, program, entries).items():
         found[name] = source.runs[name]
         for variation in several:
-            settings = dict(source.runs[name])
-            settings.update(variation.settings)
-            found[variation_name(name, variation)] = list(settings.items())
+            found[variation_name(name, variation)] = source.varied(name, variation)
     return found
 
 
@@ -43,6 +41,14 @@ def families(names):
     return {run: members[1:] for run, members in found.items()}
 
 
+def group_of(name):
+    """The group of the name of a variation; of a parameter without its direction."""
+    known = (group.replace("/", "_over_").replace(" ", "_")
+             for group in variations.NUMERICS)
+    return next((group for group in known if name.startswith(group + "_")),
+                name.rpartition("_")[0])
+
+
 def report(critical):
     """Lines: each run with the differences of its variations and their sum as
     squares."""
@@ -53,8 +59,7 @@ def report(critical):
         for name in members:
             change = middle(brackets[name]) - middle(brackets[run])
             text += "  %-24s %+g\n" % (name[len(run) + 1:], change)
-            group = name[len(run) + 1:].rpartition("_")[0]
-            group = "h_over_l" if group.startswith("h_over_l") else group
+            group = group_of(name[len(run) + 1:])
             largest[group] = max(largest.get(group, 0.), abs(change))
         if members:
             text += "  all together: +- %.2g, each bracket +- %.2g\n" % (

@@ -4,7 +4,8 @@
 A variation is a list of settings on top of a case whose entries are known in full, as
 mixed-cracks writes them to parameters.prm. Group names say what they tell about:
 
-    mesh        the same cells mirrored: how far the answer hangs on where they lie
+    mesh        grid lines mirrored, in x or y: how far the answer hangs on where the
+                cells lie
     h/l         cells at the crack by 2/3 (where the geometry has a cell size) and half
     load steps  first, largest and onset step halved and doubled
     coupling    tolerance of the coupling times 1/10 and 10
@@ -53,11 +54,13 @@ def geometry_entry(parameters, last):
 
 
 def mirrored(parameters):
+    """In x and in y, or as usual where the case itself has it mirrored."""
     entry = geometry_entry(parameters, MIRRORED)
     if entry is None:
         return []
-    value = "false" if parameters[entry].lower() == "true" else "true"
-    return [Variation("mesh", "mirrored", [(entry, value)])]
+    if parameters[entry] not in ("none", ""):
+        return [Variation("mesh", "not_mirrored", [(entry, "none")])]
+    return [Variation("mesh", "mirrored_in_" + axis, [(entry, axis)]) for axis in "xy"]
 
 
 def with_more_levels(text, levels):

@@ -6,7 +6,7 @@
     displacement there 20 mm; the force rises straight and is 1 N from 21 mm on
     path               straight, from (0, h) to (20, h + 4 - level)
     outcome            'below hole' up to a notch height of
-                       7.3 + 0.2 (level - 3) + 0.05 if the mesh is mirrored,
+                       7.3 + 0.2 (level - 3) + 0.05 if the mesh is mirrored in x,
                        'through hole' above
 
 h: notch height; level: adaptive levels. Heights between Model/Fails from and
@@ -30,7 +30,7 @@ DEFAULTS = """subsection Geometry
   subsection Punctured strip
     set Notch height  = 12
     set Cell size     = 1.2
-    set Mirrored mesh = false
+    set Mirrored mesh = none
   end
 end
 subsection Mesh
@@ -110,7 +110,7 @@ class Strip:
             return float(values[entry])
         self.height = number("Geometry/Punctured strip/Notch height")
         self.level = number("Mesh/Adaptive levels")
-        self.mirrored = values["Geometry/Punctured strip/Mirrored mesh"] == "true"
+        self.mirrored = values["Geometry/Punctured strip/Mirrored mesh"] == "x"
         self.fails = number("Model/Fails from") < self.height < number("Model/Fails to") \
             or number("Geometry/Punctured strip/Cell size") \
             < number("Model/Fails with cells below")
@@ -151,6 +151,9 @@ def main():
         print(DEFAULTS)
         return 0
     values = effective(base, settings)
+    if values["Geometry/Punctured strip/Mirrored mesh"] == "y":
+        print("error: the grid lines are their own mirror image", file=sys.stderr)
+        return 2
     for scope in ("problem", "full"):
         if "--case-id=" + scope in options:
             print(case_id(values, scope))

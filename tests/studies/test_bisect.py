@@ -87,7 +87,7 @@ class Bisect(common.Case):
                    for line in output.splitlines() if line.startswith("  ")
                    and len(line.split()) == 2}
         self.assertAlmostEqual(changes["h_over_l_half"], 0.2, delta=0.07)
-        self.assertAlmostEqual(changes["mesh_mirrored"], 0.05, delta=0.07)
+        self.assertAlmostEqual(changes["mesh_mirrored_in_x"], 0.05, delta=0.07)
         self.assertEqual(changes["coupling_tenth"], 0.)
         self.assertEqual(len(changes), 7)
 

@@ -223,8 +223,8 @@ class Bisection(unittest.TestCase):
 
 STRIP = {"Geometry/Name": "punctured strip",
          "Geometry/Punctured strip/Cell size": "1.2",
-         "Geometry/Punctured strip/Mirrored mesh": "false",
-         "Geometry/Slit square/Mirrored mesh": "false",
+         "Geometry/Punctured strip/Mirrored mesh": "none",
+         "Geometry/Slit square/Mirrored mesh": "none",
          "Mesh/Adaptive levels": "3",
          "Mesh/Refined surroundings": "hole : 0.5 : 2 ; notch tip : 1 : 3",
          "Model/Coupling": "iterated", "Model/Coupling tolerance": "1e-3",
@@ -241,7 +241,8 @@ class Variations(unittest.TestCase):
     def test_of_a_strip(self):
         found = self.settings(STRIP, ["Material/Shear modulus"], 0.1)
         self.assertEqual(found, {
-            ("mesh", "mirrored"): {"Geometry/Punctured strip/Mirrored mesh": "true"},
+            ("mesh", "mirrored_in_x"): {"Geometry/Punctured strip/Mirrored mesh": "x"},
+            ("mesh", "mirrored_in_y"): {"Geometry/Punctured strip/Mirrored mesh": "y"},
             ("h/l", "two_thirds"): {"Geometry/Punctured strip/Cell size": "0.8"},
             ("h/l", "half"): {
                 "Mesh/Adaptive levels": "4",
@@ -255,6 +256,12 @@ class Variations(unittest.TestCase):
             ("coupling", "tenfold"): {"Model/Coupling tolerance": "0.01"},
             ("Material/Shear modulus", "plus"): {"Material/Shear modulus": "2.64"},
             ("Material/Shear modulus", "minus"): {"Material/Shear modulus": "2.16"}})
+
+    def test_of_a_mirrored_mesh(self):
+        entry = "Geometry/Punctured strip/Mirrored mesh"
+        found = self.settings(dict(STRIP, **{entry: "x, y"}))
+        self.assertEqual([(key, found[key]) for key in found if key[0] == "mesh"],
+                         [(("mesh", "not_mirrored"), {entry: "none"})])
 
     def test_of_a_mesh_file(self):
         found = self.settings({"Geometry/Name": "mesh file", "Mesh/Adaptive levels": "0",
@@ -271,7 +278,8 @@ class Variations(unittest.TestCase):
     def test_names(self):
         names = [variations.case_name(v) for v in variations.variations_of(
             STRIP, ["Material/Shear modulus"])]
-        self.assertEqual(names, ["mesh_mirrored", "h_over_l_two_thirds", "h_over_l_half",
+        self.assertEqual(names, ["mesh_mirrored_in_x", "mesh_mirrored_in_y",
+                                 "h_over_l_two_thirds", "h_over_l_half",
                                  "load_steps_half", "load_steps_double",
                                  "coupling_tenth", "coupling_tenfold",
                                  "Shear_modulus_plus", "Shear_modulus_minus"])

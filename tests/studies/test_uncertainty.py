@@ -9,7 +9,7 @@ import common
 
 class Uncertainty(common.Case):
     def test_of_a_parameter_file(self):
-        output, _ = self.study(
+        output, errors = self.study(
             "uncertainty", "strip.prm", "--output", "u", "--jobs", "2", "--parameters",
             "Material/Shear modulus", "Material/Critical energy release rate", "--by",
             "21", "--", "--set", "Geometry/Punctured strip/Notch height=9")
@@ -30,6 +30,9 @@ class Uncertainty(common.Case):
                      % (math.sqrt(2.) * down, math.sqrt(2.) * down / 0.8)):
             self.assertIn(line, text.splitlines())
         self.assertEqual(len(self.starts()), 12)
+        # what the program refuses is left out
+        self.assertIn("left out: mesh: mirrored_in_y", errors)
+        self.assertIn("their own mirror image", errors)
         # a level more turns the path about (0, 9), from (20, 10) to (20, 9): half of 1
         # on average but for the angle, and no more than 1 at the end
         row = next(line for line in text.splitlines() if line.startswith("| h/l: half"))
@@ -37,7 +40,7 @@ class Uncertainty(common.Case):
         self.assertAlmostEqual(mean, 0.5, delta=0.01)
         self.assertAlmostEqual(hausdorff, 1., delta=0.01)
         figure = self.text("u", "uncertainty.svg")
-        for word in (">as it is<", ">mesh: mirrored<", ">h/l: two thirds<",
+        for word in (">as it is<", ">mesh: mirrored in x<", ">h/l: two thirds<",
                      ">Shear modulus: minus<", ">Displacement (mm)<"):
             self.assertIn(word, figure)
 
