@@ -85,12 +85,18 @@ class Program:
             self.known["checksum"] = digest.hexdigest()
         return self.known["checksum"]
 
-    def case_id(self, base, options, scope="problem"):
+    def case_id(self, base, options):
         """What a case is, as `mixed-cracks --case-id` says: the same for the same
-        parameters and files read, whatever they are written like. scope: 'full' where
-        entries count that may change when a run goes on. Raises SweepError with the
-        message of the program for wrong input."""
-        status, output, errors = self.said(base, *options, "--case-id=" + scope)
+        parameters and files read, whatever they are written like. Raises SweepError
+        with the message of the program for wrong input."""
+        return self.id_from(base, options, "--case-id")
+
+    def full_id(self, base, options):
+        """The same where entries count that may change when a run goes on."""
+        return self.id_from(base, options, "--case-id=full")
+
+    def id_from(self, base, options, question):
+        status, output, errors = self.said(base, *options, question)
         lines = output.split("\n")
         if status == 0 and len(lines) == 2 and ID.match(lines[0]):
             return lines[0]

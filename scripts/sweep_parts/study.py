@@ -69,12 +69,13 @@ class Study:
                            settings[name], self.sweep.runs[name].swept, self.output)
                 for name in names}
 
-    def asked(self, name, settings, scope="problem"):
-        """The id that the program has for settings."""
+    def asked(self, name, settings, full=False):
+        """The id that the program has for settings; full: all but output counts."""
         words = options_of(sorted(settings))
+        ask = self.program.full_id if full else self.program.case_id
         try:
-            return self.ids.asked(words + [scope], lambda: self.program.case_id(
-                self.sweep.base, words, scope))
+            return self.ids.asked(words + ["full"] * full,
+                                  lambda: ask(self.sweep.base, words))
         except SweepError as error:
             raise SweepError("%s: %s" % (name, error))
 
@@ -108,10 +109,9 @@ class Study:
         return "-" + hashlib.sha256("\n".join(counted).encode()).hexdigest()[:8]
 
     def matters(self, name, settings, entry):
-        """Whether an entry changes anything, by the id in which all but output
-        counts."""
+        """Whether an entry changes anything."""
         without = [pair for pair in settings if pair[0] != entry]
-        return self.asked(name, settings, "full") != self.asked(name, without, "full")
+        return self.asked(name, settings, True) != self.asked(name, without, True)
 
     def case(self, name, settings, swept=None):
         """One more case, that is not in the file: base and common with these

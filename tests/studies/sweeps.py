@@ -11,7 +11,7 @@ import time
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 SWEEP = ROOT / "scripts" / "sweep.py"
 FAKE = ROOT / "tests" / "sweep" / "fake_program.py"
-WAIT = 200.  # s, when the machine is busy
+WAIT = 400.  # s, when the machine is busy
 SKIPPED = 77  # the exit status of a test that cannot be made here
 
 
@@ -32,17 +32,26 @@ class Sweep:
         words = [sys.executable, "-B", str(SWEEP), command, str(self.file),
                  *map(str, options), "--output", str(self.output),
                  "--program", str(self.program)]
-        if command in ("run", "submit") and self.launcher is not None:
+        if command in ("run", "submit", "task") and self.launcher is not None:
             words += ["--launcher", self.launcher]
         return words
 
     def call(self, command, *options, status=0):
-        """What it says on both streams; its exit status has to be that one."""
-        process = subprocess.run(self.words(command, *options), text=True,
+        """What it says on both streams; its exit status has to be that one, or any
+        for None."""
+        return self.said(self.words(command, *options), command, status)
+
+    def call_with(self, command, *extra, status=0):
+        """The same with words after --."""
+        return self.said(self.words(command) + list(extra), command, status)
+
+    @staticmethod
+    def said(words, command, status):
+        process = subprocess.run(words, text=True,
                                  stdin=subprocess.DEVNULL, stdout=subprocess.PIPE,
                                  stderr=subprocess.STDOUT, check=False)
-        assert process.returncode == status, (command, process.returncode,
-                                              process.stdout)
+        assert status in (None, process.returncode), (command, process.returncode,
+                                                      process.stdout)
         assert "Traceback" not in process.stdout, process.stdout
         return process.stdout
 
@@ -88,7 +97,8 @@ class Sweep:
     def wait_for(self, condition, what):
         deadline = time.monotonic() + WAIT
         while not condition():
-            assert time.monotonic() < deadline, "waited in vain: " + what
+            assert time.monotonic() < deadline, "waited in vain: %s\n%s" % (
+                what, self.call("status", status=None))
             time.sleep(0.2)
 
     def wait_for_step(self, step, number=1):
