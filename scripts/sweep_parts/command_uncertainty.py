@@ -43,12 +43,12 @@ def run(arguments, _):
     output = os.path.abspath(arguments.output or os.path.join(
         "results", name + "_uncertainty"))
     program = Program(arguments.program)
+    bringing = here.runs_of(arguments, program)
     entries = [sweep_file.entry_of(text) for text in arguments.parameters]
     several = source.allowed(name, variations.variations_of(
         source.effective(name, program), entries, 0.01 * arguments.by), program)
     runs = {BASE: source.runs[name]}
     runs.update((variations.case_name(v), source.varied(name, v)) for v in several)
-    bringing = here.runs_of(arguments, program)
     study = derived.study_of("uncertainty", source, runs, output, program)
     bringing.bring(study, list(runs))
     return write_files(study, several, output, arguments.figure)

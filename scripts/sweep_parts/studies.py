@@ -67,24 +67,37 @@ class StudyRun:
         return self.name.rpartition("_")[0] or self.name
 
 
-def runs_of(directory, patterns):
-    """The runs in the order of sweep.csv; without one, by name."""
-    if not os.path.isdir(directory):
-        raise StudyError("there is no directory '%s'" % directory)
+def places_of(directory):
+    """{name: directory} of the runs that have rows, in the order of sweep.csv; without
+    one, by name. A stale name leads to results of other parameters and is no run; where
+    a file system has no links, the table tells the case."""
     try:
         with open(os.path.join(directory, "sweep.csv"), encoding="utf-8",
                   newline="") as stream:
-            names = [row["name"] for row in csv.DictReader(stream) if row.get("name")]
-    except (OSError, KeyError, ValueError, csv.Error):
-        names = sorted(os.listdir(directory))
-    names = [name for name in names
-             if os.path.isfile(os.path.join(directory, name, "statistics.csv"))]
+            rows = [row for row in csv.DictReader(stream)
+                    if row.get("name") and row.get("state") != "stale"]
+    except (OSError, ValueError, csv.Error):
+        rows = []
+    found = {}
+    for row in rows or [{"name": name} for name in sorted(os.listdir(directory))]:
+        for place in (row["name"], os.path.join("cases", row.get("case_id") or "")):
+            path = os.path.join(directory, place)
+            if os.path.isfile(os.path.join(path, "statistics.csv")):
+                found.setdefault(row["name"], path)
+    return found
+
+
+def runs_of(directory, patterns):
+    """[StudyRun] of a directory that sweep.py wrote."""
+    if not os.path.isdir(directory):
+        raise StudyError("there is no directory '%s'" % directory)
+    places = places_of(directory)
     for pattern in patterns or ():
-        if not fnmatch.filter(names, pattern):
+        if not fnmatch.filter(places, pattern):
             raise StudyError("--only: there is no run '%s' in %s" % (pattern, directory))
-    names = [name for name in names if not patterns or
+    names = [name for name in places if not patterns or
              any(fnmatch.fnmatchcase(name, pattern) for pattern in patterns)]
     if not names:
         raise StudyError("'%s' holds no run (no directory with a statistics.csv)"
                          % directory)
-    return [StudyRun(name, os.path.join(directory, name)) for name in names]
+    return [StudyRun(name, places[name]) for name in names]

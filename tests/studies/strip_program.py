@@ -87,9 +87,9 @@ def canonical(value):
         return value
 
 
-def case_id(values, scope):
-    """Of the problem: without what may change when a run goes on."""
-    counted = {entry: value for entry, value in values.items() if scope == "full"
+def case_id(values, full):
+    """Of the problem: without what may change when a run goes on, unless full."""
+    counted = {entry: value for entry, value in values.items() if full
                or not entry.startswith(("Load stepping/", "Model/Coupling tolerance"))}
     return hashlib.sha256(json.dumps(counted, sort_keys=True).encode()).hexdigest()[:32]
 
@@ -154,9 +154,9 @@ def main():
     if values["Geometry/Punctured strip/Mirrored mesh"] == "y":
         print("error: the grid lines are their own mirror image", file=sys.stderr)
         return 2
-    for scope in ("problem", "full"):
-        if "--case-id=" + scope in options:
-            print(case_id(values, scope))
+    for question in ("--case-id", "--case-id=full"):
+        if question in options:
+            print(case_id(values, question.endswith("full")))
             return 0
     with open(os.path.join(os.environ["STRIP_STARTS"], "starts.txt"), "a",
               encoding="utf-8") as stream:
