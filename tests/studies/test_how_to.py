@@ -17,10 +17,11 @@ import sys
 import tempfile
 
 import slurm
-from sweeps import FAKE, ROOT, SKIPPED, Sweep
+from sweeps import ROOT, SKIPPED, Sweep
 
 PAGE = (ROOT / "doc" / "studies.md").read_text(encoding="utf-8")
 MOST = 6  # commands
+OPTIONS = "a.sweep --program ./mixed-cracks --output out"
 PAIR = "base = base.prm\na = --set Model/Height=6\nb = --set Model/Height=7\n"
 
 
@@ -64,15 +65,14 @@ def prepared(folder, name):
     sweep = Sweep(folder / name, PAIR)
     (sweep.folder / "scripts").symlink_to(ROOT / "scripts")
     run("scripts/sweep.py plan FILE.sweep --names > names.txt".replace(
-        "FILE.sweep", "a.sweep --program '%s' --output out" % FAKE), sweep.folder)
+        "FILE.sweep", OPTIONS), sweep.folder)
     assert (sweep.folder / "names.txt").read_text() == "a\nb\n"
     return sweep
 
 
 def for_tests(text):
     """An example with the program that is none, and no mpirun."""
-    options = "a.sweep --program '%s' --output out" % FAKE
-    text = text.replace("FILE.sweep", options)
+    text = text.replace("FILE.sweep", OPTIONS)
     return re.sub(r"--ranks (\S+?)( --|\"|\s|$)", r"--ranks \1 --launcher ''\2", text)
 
 
