@@ -93,8 +93,16 @@ def read_arguments(words):
         extra = words[words.index("--") + 1:]
         words = words[:words.index("--")]
     if words and words[0] not in COMMANDS and words[0] not in ("-h", "--help"):
+        if words[0].isalpha() and not os.path.exists(words[0]):
+            parser.error("'%s' is neither a command (%s) nor a file"
+                         % (words[0], ", ".join(COMMANDS)))
         words = ["run"] + words
-    arguments = parser.parse_args(words)
+    arguments, rest = parser.parse_known_args(words)
+    # argparse takes names directly behind the file only
+    if rest and not (hasattr(arguments, "names") and rest[0][:1] != "-"):
+        parser.error("there is no '%s'" % rest[0])
+    if rest:
+        arguments.names += rest
     arguments.extra = extra
     return arguments
 

@@ -44,6 +44,7 @@ class Piece:
         case = self.case
         record = case.record()
         if record.get("complete"):
+            cases.make_read_only(case.directory)  # if the last one came no further
             case.make_link()
             return DONE, ""
         os.makedirs(case.directory, exist_ok=True)
@@ -100,7 +101,7 @@ class Piece:
         if status != 0 and summary.get("exit_status"):
             status = summary["exit_status"]
         if status == 0 and summary.get("exit_status") != 0:
-            status = FILES
+            status = summary.get("exit_status") or FILES
         if asked is not None and status in KILLED_BY_A_REQUEST:
             status = STOPPED if case.has_checkpoint() else TOO_EARLY
         piece.update(exit_status=status, ended=now(), to_step=case.last_step())
@@ -128,8 +129,8 @@ def has_ended_alone(record, case):
 
 def without_new_step(pieces):
     """How many of the last pieces have brought no step that was not there before, up
-    to the last one after which somebody has tried again. Those that were stopped by a
-    signal do not count: they may have had no time."""
+    to the last one after which somebody has tried again. Those that somebody has
+    ended do not count, but SIGUSR1 does: it comes when the time of a job is over."""
     count, reached = 0, -1
     for piece in pieces:
         end = piece.get("to_step", piece.get("from_step", -1))

@@ -184,9 +184,13 @@ def each_path(directory):
 
 
 def make_read_only(directory):
-    for path in each_path(directory):
+    if not os.stat(directory).st_mode & 0o222:
+        return
+    # the directory itself last: it says that all of it has been done
+    for path in reversed(list(each_path(directory))):
         mode = os.stat(path).st_mode
-        os.chmod(path, stat.S_IMODE(mode) & ~0o222)
+        if mode & 0o222:
+            os.chmod(path, stat.S_IMODE(mode) & ~0o222)
 
 
 def make_writable(directory):

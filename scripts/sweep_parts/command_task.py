@@ -39,9 +39,11 @@ def add_options(parser):
 
 def run(arguments, _):
     cases, launch = opened(arguments)
-    workers = runner.Runner(launch, len(cases))
+    changed = {case.name: REFUSED for case in cases if has_changed(case, launch.program)}
+    left = [case for case in cases if case.name not in changed]
+    workers = runner.Runner(launch, max(len(left), 1))
     workers.listen()
-    statuses = workers.all(cases, report)
+    statuses = dict(workers.all(left, report), **changed)
     status = worst([statuses.get(case.name, STOPPED) for case in cases])
     if status == STOPPED and "SLURM_JOB_ID" in os.environ \
             and workers.signal in OF_ITSELF:
@@ -77,22 +79,22 @@ def of_manifest(arguments):
     if not names:
         raise SweepError("task expects names of cases, or --group")
     program = Program(arguments.program or frozen.content["program"])
-    cases = [frozen.cases[name] for name in names]
-    for case in cases:
-        require_the_same(case, program)
-    return cases, runner.Launch(
+    program.expect(frozen.content.get("checksum"), frozen.content["revision"])
+    return [frozen.cases[name] for name in names], runner.Launch(
         program, resources.launcher_words(frozen.content["launcher"]),
         frozen.content["ranks"], slurm.own_job())
 
 
-def require_the_same(case, program):
-    """Raises SweepError when a case is not what it was when it was submitted."""
+def has_changed(case, program):
+    """Whether a case is not what it was when it was submitted; says so. Raises
+    SweepError."""
     found = program.case_id(case.base, case.options)
-    if found != case.id.partition("-")[0]:
-        raise SweepError("%s: stale: '%s' or a file that it reads has changed since this "
-                         "was submitted (the id is %s and was %s); nothing is "
-                         "calculated, submit again" % (case.name, case.base, found,
-                                                       case.id))
+    if found == case.id.partition("-")[0]:
+        return False
+    print("%s: stale: '%s' or a file that it reads has changed since this was "
+          "submitted, or the program (the id is %s and was %s); nothing is calculated, "
+          "submit again" % (case.name, case.base, found, case.id), file=sys.stderr)
+    return True
 
 
 def report(case, status, reason, seconds):

@@ -16,6 +16,7 @@ from report_parts import safe
 
 FILE = "ids.json"
 LARGE = 1 << 24  # bytes; of larger files size and time count
+MOST = 20000  # answers that are kept; of more only those that were asked for
 
 
 class IdCache:
@@ -25,8 +26,8 @@ class IdCache:
         self.path = os.path.join(output, FILE)
         self.folders = (os.path.dirname(os.path.abspath(base)), os.getcwd())
         self.program, self.base = program, base
-        self.sums = {}
-        self.known, self.changed = self.read(), False
+        self.sums, self.files = {}, None
+        self.known, self.changed, self.used = self.read(), False, set()
 
     def read(self):
         try:
@@ -37,8 +38,9 @@ class IdCache:
 
     def key(self, words):
         """Of words for the program."""
-        files = sorted(self.named_in("\n".join(words), set()) |
-                       self.named_in_file(self.base, set()))
+        if self.files is None:
+            self.files = self.named_in_file(self.base, set())
+        files = sorted(self.named_in("\n".join(words), set()) | self.files)
         parts = [self.program.checksum, self.base, *words]
         parts += ["%s %s" % (path, self.sum_of(path)) for path in files]
         return hashlib.sha256("\0".join(parts).encode("utf-8", "replace")).hexdigest()
@@ -46,6 +48,7 @@ class IdCache:
     def asked(self, words, function):
         """What function() says, or has said. Raises what that raises."""
         key = self.key(words)
+        self.used.add(key)
         if not isinstance(self.known.get(key), str):
             self.known[key] = function()
             self.changed = True
@@ -55,6 +58,8 @@ class IdCache:
         """Where there is a directory that can be written to."""
         if not self.changed or not os.path.isdir(os.path.dirname(self.path)):
             return
+        if len(self.known) > MOST:
+            self.known = {key: self.known[key] for key in self.used}
         new = "%s.%d" % (self.path, os.getpid())
         try:
             with open(new, "w", encoding="utf-8") as stream:

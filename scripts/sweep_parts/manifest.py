@@ -61,7 +61,8 @@ def frozen(study, chosen, groups, arrays, token, launcher, ranks):
     return Manifest({
         "format": 1, "token": token, "sweep": os.path.abspath(study.sweep.path),
         "output": study.output, "program": study.program.path,
-        "revision": study.program.revision, "launcher": launcher, "ranks": ranks,
+        "revision": study.program.revision, "checksum": study.program.checksum,
+        "launcher": launcher, "ranks": ranks,
         "groups": groups, "arrays": arrays,
         "cases": [{"name": case.name, "id": case.id, "base": case.base,
                    "settings": case.settings, "swept": case.swept} for case in chosen]})
