@@ -50,8 +50,9 @@ SIGINT (Ctrl-C), SIGTERM, SIGHUP and SIGUSR1 stop the runs that are going on, wi
 checkpoints, and start no more; a second Ctrl-C, two seconds later, ends them as they
 are. One sweep at a time has OUTPUT, and one process a case; a second one is refused.
 
-Exit status: 0; 1 when a case failed or is missing; 2 for wrong input or usage; of
-task that of the case, see there. Needs Python's own library only.
+Exit status: 0; 1 when a case failed or is missing, or a tolerance of compare is not
+met; 2 for wrong input or usage; 5 when bisect or uncertainty was stopped and the same
+command goes on; of task that of the case, see there. Needs Python's own library only.
 """
 import argparse
 import os
@@ -114,7 +115,7 @@ def main():
         return module.run(arguments, opened(module, arguments))
     except (SweepError, lock.InUse, OSError) as error:
         print("sweep.py: %s" % error, file=sys.stderr)
-        return 2
+        return getattr(error, "exit_status", 2)
 
 
 def opened(module, arguments):

@@ -6,6 +6,7 @@ import io
 import os
 
 import matplotlib
+import matplotlib.image
 import numpy as np
 from matplotlib.figure import Figure
 

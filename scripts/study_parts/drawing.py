@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 """Making sure of what drawing needs, before anything is run."""
 import os
+import sys
 
 from report_parts import interpreter
 
@@ -33,3 +34,18 @@ def save(figure, path, salt="study"):
     settings = {"svg.hashsalt": salt, "svg.fonttype": "none"}
     with matplotlib.rc_context(dict(curves.STYLE, **settings)):
         figure.savefig(path, bbox_inches="tight", facecolor="white", **options)
+
+
+def drawn(path, draw, *arguments):
+    """Whether draw(*arguments) has made a figure and it is saved. Files of runs may
+    hold what nobody foresaw: then a line, and no figure."""
+    try:
+        save(draw(*arguments), path)
+        return True
+    except OSError:
+        raise
+    except Exception as error:  # the tables are still worth having
+        print("%s could not be drawn (%s: %s)"
+              % (path, type(error).__name__, " ".join(str(error).split())[:200]),
+              file=sys.stderr)
+        return False

@@ -16,6 +16,12 @@ PAUSE = 10.  # s between two looks at the queue
 
 class Stopped(StudyError):
     """Not all has been run yet; the same command goes on."""
+    exit_status = 5
+
+
+class NotSubmitted(StudyError):
+    """The queue has refused."""
+    exit_status = 1
 
 
 def add_options(parser):
@@ -77,27 +83,25 @@ class Jobs:
         own = argparse.Namespace(**dict(vars(self.arguments), only=missing,
                                         dry_run=False, failed=False))
         if command_submit.run(own, study) != 0:
-            raise StudyError("nothing could be submitted")
+            raise NotSubmitted("nothing could be submitted")
         if self.arguments.no_wait:
             raise Stopped("submitted; the same command goes on when the jobs have ended")
         wait_for(study, missing)
 
 
 def wait_for(study, names):
-    """Until none of the cases is running or in the queue."""
-    seen_absent = set()  # a job that has just ended may not have written its last word
+    """Until every case is complete, or neither running nor in the queue at two looks
+    in a row: a job that has just ended may not have written its last word."""
+    before = set()
     while True:
         try:
             queued = jobs.in_queue(study.output)
         except slurm.QueueError:
             queued = dict.fromkeys(names)  # no answer: they may all be there
-        absent = {name for name in names if study.cases[name].is_complete()
-                  or (name not in queued and study.cases[name].state()[0] != "running")}
-        if len(absent & (seen_absent | complete_of(study, names))) == len(names):
+        states = {name: study.cases[name].state()[0] for name in names}
+        absent = {name for name in names
+                  if name not in queued and states[name] != "running"}
+        if all(states[name] == "complete" or name in absent & before for name in names):
             return
-        seen_absent = absent
+        before = absent
         time.sleep(PAUSE)
-
-
-def complete_of(study, names):
-    return {name for name in names if study.cases[name].is_complete()}

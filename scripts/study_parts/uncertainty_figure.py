@@ -5,7 +5,7 @@ from matplotlib.figure import Figure
 
 from report_parts import curves
 
-from . import comparison_figure
+from . import comparison_figure, variations
 
 COLORS = ("#2f6690", "#b5403a", "#4f8a5b", "#c08a2d", "#6d4c8f", "#3a8f93", "#8a5a3c")
 DASHES = ("-", (0, (4, 1.5)), (0, (1.5, 1.2)))
@@ -23,8 +23,7 @@ def styles(found):
 
 
 def label_of(variation):
-    return "%s: %s" % (variation.group.split("/")[-1] if variation.group.count("/")
-                       and variation.group != "h/l" else variation.group,
+    return "%s: %s" % (variations.title_of(variation.group),
                        variation.name.replace("_", " "))
 
 

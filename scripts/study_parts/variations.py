@@ -122,9 +122,12 @@ def variations_of(parameters, entries=(), share=0.1):
     return [variation for variation in found if variation.settings]
 
 
+def title_of(group):
+    """Of a parameter the entry without its subsection."""
+    return group if group in NUMERICS else group.split("/")[-1]
+
+
 def case_name(variation):
     """As a name of a case: letters, digits and _ only."""
-    words = re.sub(r"[^A-Za-z0-9]+", "_", variation.group.split("/")[-1]
-                   if variation.group not in NUMERICS
-                   else variation.group.replace("/", "_over_"))
-    return "%s_%s" % (words.strip("_"), variation.name)
+    title = title_of(variation.group).replace("/", "_over_")
+    return "%s_%s" % (re.sub(r"[^A-Za-z0-9]+", "_", title).strip("_"), variation.name)

@@ -95,5 +95,5 @@ def draw(found, known, folder, suffix):
     os.makedirs(folder, exist_ok=True)
     for entry in found:
         if entry.has_reference:
-            drawing.save(comparison_figure.draw(entry, known),
-                         os.path.join(folder, "%s.%s" % (entry.run.name, suffix)))
+            drawing.drawn(os.path.join(folder, "%s.%s" % (entry.run.name, suffix)),
+                          comparison_figure.draw, entry, known)

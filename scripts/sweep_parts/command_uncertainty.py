@@ -73,6 +73,6 @@ def write_files(study, several, output, figure):
     print(text)
     print(path)
     figure = figure or os.path.join(output, "uncertainty.svg")
-    drawing.save(uncertainty_figure.draw(found, runs[BASE], of_variations), figure)
-    print(figure)
+    if drawing.drawn(figure, uncertainty_figure.draw, found, runs[BASE], of_variations):
+        print(figure)
     return 1 if found.missing() else 0

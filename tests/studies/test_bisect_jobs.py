@@ -30,11 +30,11 @@ class ByJobs(common.Case):
     def test_rounds_of_jobs(self):
         self.write("a.sweep", "base = strip.prm\na =\n")
         # two rounds by hand: the ends, then the middle
-        errors = self.bisect("--no-wait", status=2)[1]
+        errors = self.bisect("--no-wait", status=5)[1]
         self.assertIn("submitted", errors)
         self.cluster.wait_until_empty(120.)
         self.assertEqual(sorted(self.starts()), [6., 10.])
-        self.bisect("--no-wait", status=2)
+        self.bisect("--no-wait", status=5)
         self.cluster.wait_until_empty(120.)
         self.assertEqual(sorted(self.starts()), [6., 8., 10.])
         # the rest in one call, which waits for its jobs
