@@ -11,6 +11,9 @@ FILE.webp that is named; another name is that of a directory for frame_0000.png,
 There is a picture for every moment whose fields were written: with Output/Events those
 at which something happened.
 
+Of a case of a sweep, which is not written to, they are SWEEP_DIR/pages/NAME.html and
+NAME.webp.
+
 Needs matplotlib and numpy (Debian: python3-matplotlib). Works while the run is
 going on and after one that failed; needs no display.
 """
@@ -72,10 +75,22 @@ def read_arguments():
     return arguments
 
 
+def target_in(directory, name):
+    """Where a file about a run goes: into its directory. That of a case of a sweep is
+    left alone, for it is read-only when it is complete; then pages/NAME.* beside."""
+    if not os.path.isfile(os.path.join(directory, "case.json")):
+        return os.path.join(directory, name)
+    sweep = os.path.dirname(os.path.dirname(os.path.realpath(directory)))
+    folder = os.path.join(sweep, "pages")
+    os.makedirs(folder, exist_ok=True)
+    case = os.path.basename(os.path.normpath(directory))
+    return os.path.join(folder, case + os.path.splitext(name)[1])
+
+
 def write_page(directory, output):
     """Returns its name."""
     from report_parts import page
-    target = output or os.path.join(directory, "report.html")
+    target = output or target_in(directory, "report.html")
     if not output and not is_ours(target):
         sys.exit("report.py: '%s' is no page of this script and is left as it is; "
                  "name another file with --output." % target)
@@ -83,7 +98,7 @@ def write_page(directory, output):
     # the old page stays until the new one is whole
     with open(target + ".new", "w", encoding="utf-8", errors="replace") as stream:
         stream.write(text)
-    if not output:
+    if target == os.path.join(directory, "report.html"):
         note_in_list(directory, "report.html")
     os.replace(target + ".new", target)
     return target
@@ -92,12 +107,12 @@ def write_page(directory, output):
 def write_video(directory, output, per_second):
     """Returns its name."""
     from report_parts import animation, results
-    target = output or os.path.join(directory, "animation.webp")
+    target = output or target_in(directory, "animation.webp")
     try:
         animation.write(results.Results(directory), target, per_second)
     except animation.AnimationError as error:
         sys.exit("report.py: %s." % error)
-    if not output:
+    if target == os.path.join(directory, "animation.webp"):
         note_in_list(directory, "animation.webp")
     return target
 

@@ -175,6 +175,20 @@ class Animation(common.Case):
         self.animate("--animate", "other.webp", "--frames-per-second", "20")
         self.assertTrue(os.path.exists(self.path("other.webp")))
 
+    def test_of_a_case_of_a_sweep(self):
+        os.makedirs(self.path("s", "cases"))
+        os.rename(self.path("run"), self.path("s", "cases", "1a"))
+        os.symlink(os.path.join("cases", "1a"), self.path("s", "soft"))
+        self.write(os.path.join("s", "cases", "1a", "case.json"), "{}")
+        before = sorted(os.listdir(self.path("s", "soft")))
+        for arguments, name in (((), "soft.html"), (("--animate",), "soft.webp")):
+            process = subprocess.run([sys.executable, "-B", REPORT,
+                                      self.path("s", "soft"), *arguments],
+                                     stdout=subprocess.PIPE, universal_newlines=True)
+            self.assertEqual(process.returncode, 0)
+            self.assertTrue(os.path.exists(self.path("s", "pages", name)))
+        self.assertEqual(sorted(os.listdir(self.path("s", "soft"))), before)
+
     def test_what_is_wrong_is_named(self):
         self.assertIn("--frames-per-second", self.animate(
             "--animate", "--frames-per-second", "0", status=2).stderr)
