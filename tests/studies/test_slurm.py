@@ -208,7 +208,7 @@ def two_in_one_directory(cluster, folder):
     is refused; sweeps that are started at the same moment do not mix."""
     sweep = Sweep(folder, gated(["a", "b"]))
     array, _ = sweep.submit()
-    assert "nothing is missing" in sweep.call("submit")
+    assert "nothing to submit" in sweep.call("submit")
     other = Sweep(folder / "other", "base = base.prm\na = --set Model/Name=other\n")
     other.output = sweep.output
     for command in ("plan", "run", "submit"):
