@@ -145,6 +145,7 @@ def until_complete(cluster, sweep, disturber, kills):
         while waiting_or_running(cluster.queue()):
             if left and disturber.disturb():
                 left -= 1
+            cluster.resume_node()
             time.sleep(disturber.dice.uniform(0.2, 2.) if left else 0.5)
     raise AssertionError("not complete after %d submissions" % ROUNDS)
 
