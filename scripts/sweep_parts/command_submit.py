@@ -45,7 +45,8 @@ def submitted(arguments, study, given):
     for words, names in chosen.left.items():
         print("%s: %s" % (words, shortened(names)))
     if not chosen.cases:
-        print("nothing is missing")
+        print("nothing is missing" if set(chosen.left) == {"complete"}
+              else "nothing to submit")
         return 0
     frozen = freeze(study, chosen.cases, given)
     texts = [jobs.array_text(frozen, array, given)

@@ -38,11 +38,12 @@ def add_options(parser):
 
 
 def run(arguments, _):
+    workers = runner.Runner()
+    workers.listen()  # before anything that takes time
     cases, launch = opened(arguments)
     changed = {case.name: REFUSED for case in cases if has_changed(case, launch.program)}
     left = [case for case in cases if case.name not in changed]
-    workers = runner.Runner(launch, max(len(left), 1))
-    workers.listen()
+    workers.launch, workers.jobs = launch, max(len(left), 1)
     statuses = dict(workers.all(left, report), **changed)
     status = worst([statuses.get(case.name, STOPPED) for case in cases])
     if status == STOPPED and "SLURM_JOB_ID" in os.environ \

@@ -34,7 +34,7 @@ class Launch:
 class Runner:
     """Runs several at a time; stop() ends those that are going on."""
 
-    def __init__(self, launch, jobs=1):
+    def __init__(self, launch=None, jobs=1):
         self.launch, self.jobs = launch, jobs
         self.going_on = set()
         self.signal = None  # that asked for an end

@@ -169,6 +169,12 @@ class Cluster:
             os.kill(number, signal.SIGKILL)
             self.wait_for_end("slurmctld")
 
+    def resume_node(self):
+        """What an administrator does after a controller was killed while it started a
+        job: it starts that again, is told that it is there, and drains the node."""
+        if "drain" in self.said("sinfo", "-h", "-o", "%T"):
+            self.said("scontrol", "update", "nodename=ALL", "state=resume")
+
     def wait_for_end(self, name):
         deadline = time.monotonic() + WAIT
         while self.process(name) and time.monotonic() < deadline:

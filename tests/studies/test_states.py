@@ -201,9 +201,14 @@ class Tasks(Case):
         self.assertEqual(sweep.call("plan", "--names"), "b\n")
 
     def started(self, sweep, *options):
+        def starts():
+            return [event[3] for event in sweep.events()].count("start")
+
+        before = starts()
         process = subprocess.Popen(sweep.words("task", "a", *options),
                                    stdout=subprocess.PIPE, stderr=subprocess.STDOUT)
         self.addCleanup(process.stdout.close)
+        sweep.wait_for(lambda: starts() > before, "a start")
         sweep.wait_for_step(2)
         return process
 
