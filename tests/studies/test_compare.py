@@ -144,6 +144,16 @@ class Compare(common.Case):
         self.study("run", "a.sweep", "--output", "s")
         self.called("compare", *arguments, "--tolerance", "peak=1%")
 
+    def test_names_that_lead_elsewhere(self):
+        self.write("e.csv", "displacement_mm,force_N\n20,100\n")
+        # results of other parameters are none; without links the table tells the place
+        os.makedirs(self.path("out", "cases"))
+        os.rename(self.path("out", "hard_12"), self.path("out", "cases", "1a"))
+        self.write(os.path.join("out", "sweep.csv"), "name,state,case_id\n"
+                   "soft_12,stale,2b\nhard_12,complete,1a\n")
+        self.compare("e.csv")
+        self.assertEqual({run for run, _ in self.rows()}, {"hard_12"})
+
     def test_what_is_wrong_is_named(self):
         self.write("good.csv", "displacement_mm,force_N\n20,100\n")
         for text, word in (
