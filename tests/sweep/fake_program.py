@@ -29,7 +29,8 @@ import time
 sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)),
                                 os.pardir, "report"))
 
-DEFAULTS = {"Load stepping/First step": "1", "Model/Steps": "0", "Model/Seconds": "0", "Model/Stuck": "-1"}
+DEFAULTS = {"Load stepping/First step": "1",
+            "Model/Steps": "0", "Model/Seconds": "0", "Model/Stuck": "-1"}
 ASKED = []
 GATED = 4
 
