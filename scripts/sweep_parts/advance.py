@@ -8,7 +8,7 @@ import signal
 import socket
 import time
 
-from . import cases, lock, table
+from . import cases, lock
 
 LOOK = 1.  # s; a look at the state of a case takes its lock for an instant
 PATIENCE = 10.  # s, in a job: the program of its last start may need a moment to go
