@@ -8,7 +8,7 @@ import signal
 import socket
 import time
 
-from . import cases, lock, table
+from . import cases, lock
 
 LOOK = 1.  # s; a look at the state of a case takes its lock for an instant
 PATIENCE = 10.  # s, in a job: the program of its last start may need a moment to go
@@ -102,6 +102,9 @@ class Piece:
             status = summary["exit_status"]
         if status == 0 and summary.get("exit_status") != 0:
             status = summary.get("exit_status") or FILES
+        # killed on its way out, when all was written
+        if is_signal(status) and summary.get("exit_status") == 0:
+            status = DONE
         if asked is not None and status in KILLED_BY_A_REQUEST:
             status = STOPPED if case.has_checkpoint() else TOO_EARLY
         piece.update(exit_status=status, ended=now(), to_step=case.last_step())
@@ -119,6 +122,11 @@ class Piece:
         if record.get("complete"):
             cases.make_read_only(case.directory)
         return status, piece.get("reason", "")
+
+
+def is_signal(status):
+    """Whether a process of this exit status was killed; a launcher adds 128."""
+    return status < 0 or status > 128
 
 
 def has_ended_alone(record, case):
@@ -158,7 +166,7 @@ def reason_of(case, piece, summary):
     reason = summary.get("exit_reason")
     last = own[-1] if own else str(reason) if reason else (others or lines or [""])[-1]
     status = piece["exit_status"]
-    if status < 0 or status > 128:
+    if is_signal(status):
         last = "killed by signal %d%s" % (-status if status < 0 else status - 128,
                                           "; " + last if last else "")
     return last

@@ -9,7 +9,6 @@ import time
 from . import collect, jobs, slurm, table
 
 HELP = "tell what is queued, running (step, load, age, time left), failed (why)"
-DEAD = 600.  # s without a word from a case whose job is not in the queue
 
 
 def add_options(parser):

@@ -21,7 +21,7 @@ import slurm
 from sweeps import SKIPPED, Sweep, overlaps
 
 SWEEP = """base = base.prm
-common = --set Model/Steps=3 --set Model/Seconds=0.1
+common = --set Model/Steps=4 --set Model/Seconds=0.4
 grid = "Model/Case" : 1:%d:1
 name = c{Case}
 """

@@ -119,7 +119,7 @@ def time_limit(cluster, folder):
     """A limit that hits ends a piece, not the case: it is requeued by itself, and no
     step is calculated twice. A case that gets nowhere is given up after two starts."""
     sweep = Sweep(folder, "base = base.prm\n"
-                  "a = --set Model/Steps=40 --set Model/Seconds=1\n"
+                  "a = --set Model/Steps=70 --set Model/Seconds=1\n"
                   "stuck = --set Model/Steps=9 --set Model/Stuck=2\n")
     array, _ = sweep.submit("--time", "1", "--signal", "5")
     wait_for_end(cluster, sweep, array)
@@ -127,7 +127,7 @@ def time_limit(cluster, folder):
     assert len(pieces) >= 2, pieces
     assert [piece.get("exit_status") for piece in pieces] == \
         [5] * (len(pieces) - 1) + [0], pieces
-    assert all_steps(sweep, "a") == list(range(1, 41)), sweep.events_of("a")
+    assert all_steps(sweep, "a") == list(range(1, 71)), sweep.events_of("a")
     pieces = sweep.record("stuck")["pieces"]
     # the first brings steps, the next two none
     assert [piece["exit_status"] for piece in pieces] == [5, 5, 5], pieces

@@ -269,6 +269,14 @@ class Tasks(Case):
         self.assertEqual(sweep.states(), {"a": "complete"})
         self.assertEqual([event[3] for event in sweep.events()].count("start"), 1)
 
+    def test_killed_on_its_way_out(self):
+        """With everything written, the case is complete."""
+        sweep = self.sweep("base = base.prm\na = --set Model/Killed=1\n")
+        sweep.call("task", "a")
+        sweep.call("task", "a")
+        self.assertEqual(sweep.states(), {"a": "complete"})
+        self.assertEqual([event[3] for event in sweep.events()], ["start", "end"])
+
     def test_two_tasks_at_a_time(self):
         sweep = self.sweep("base = base.prm\ncommon = --set Model/Steps=4 "
                            "--set Model/Gate=gate\na =\n")

@@ -11,6 +11,7 @@ Entries, by --set or as lines 'Entry = value' of the base file:
   Model/Seconds=T      of each step
   Model/Gate=F         before step 4, wait until there is a file F beside the
                        base
+  Model/Killed=1       is killed when everything has been written
   Model/Stuck=N        no step after the N-th comes to its end: exit status 5
   Mesh/File name=F     a file that is read, relative to the base
   Output/...           do not count in the id
@@ -29,7 +30,8 @@ import time
 sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)),
                                 os.pardir, "report"))
 
-DEFAULTS = {"Load stepping/First step": "1", "Model/Steps": "0", "Model/Seconds": "0", "Model/Stuck": "-1"}
+DEFAULTS = {"Load stepping/First step": "1",
+            "Model/Steps": "0", "Model/Seconds": "0", "Model/Stuck": "-1"}
 ASKED = []
 GATED = 4
 
@@ -178,6 +180,8 @@ class Run:
             **changes)
         print("a line of the log")
         self.note("end")
+        if "Model/Killed" in parameters:
+            os.kill(os.getpid(), signal.SIGKILL)
         if status:
             print("mixed-cracks: error: the smallest step is reached",
                   file=sys.stderr)
