@@ -19,9 +19,8 @@ mean, and are drawn as bars.
 cracks: the phase field at the end of every run, with the path of the crack where
 the run has written a crack_path.csv.
 
-compare: peak displacement and force compared with those of a CSV file as that of
---reference, with names; lines with # are comments. Where tests scatter, it says which
-figures lie within, and how many.
+compare: the table of scripts/sweep.py compare for one reference, without its figures
+and tolerances; the older name of it.
 
 paths: how far the crack paths of two runs lie apart at the end.
 
@@ -132,9 +131,10 @@ def write_curves(runs, arguments):
 
 
 def table(runs, arguments):
-    """The text, where it goes to the screen."""
-    from sweep_parts import study_compare
-    text = study_compare.written(runs, study_compare.Peaks(arguments.reference))
+    """The text, where it goes to the screen. The same as sweep.py compare, which has
+    more to say, also draws, and knows tolerances."""
+    from study_parts import comparison, comparison_text
+    text = comparison_text.markdown(*comparison.compared(runs, [arguments.reference]))
     if arguments.output is None:
         return text
     with open(arguments.output, "w", encoding="utf-8") as stream:

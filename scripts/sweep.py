@@ -1,27 +1,36 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Run variants of one parameter file and collect them into a table.
+"""Studies: variants of one parameter file, here or on a cluster, and their table.
 
-    scripts/sweep.py parameters/epdm/notch_heights.sweep --ranks 1 --jobs 4
-    scripts/sweep.py FILE.sweep --list             the commands, one line per run
-    scripts/sweep.py FILE.sweep --table-only       the table of what there is
-    scripts/sweep.py FILE.sweep -- --set "Mesh/Adaptive levels=1"
-    scripts/sweep.py FILE.sweep -- --resume        go on from the checkpoints
+    scripts/sweep.py plan FILE.sweep               the cases, their ids and states
+    scripts/sweep.py run FILE.sweep --jobs 4       what is missing, on this machine
+    scripts/sweep.py submit FILE.sweep             the same as an array of jobs
+    scripts/sweep.py task FILE.sweep NAME          one case, within any job
+    scripts/sweep.py status FILE.sweep             what is queued, running, failed
+    scripts/sweep.py collect FILE.sweep            the table
+    scripts/sweep.py clean FILE.sweep              what nothing leads to any more
+    scripts/sweep.py report FILE.sweep             a page of it all, report.html
+    scripts/sweep.py compare FILE.sweep --reference experiments.csv
+    scripts/sweep.py bisect FILE.sweep --vary "ENTRY" LOW HIGH --on outcome --to WIDTH
+    scripts/sweep.py uncertainty CASE.prm          one change at a time
+    scripts/sweep.py FILE.sweep --jobs 4           the same as run
+    scripts/sweep.py run FILE.sweep -- --set "Mesh/Adaptive levels=1"
 
-A sweep file (scripts/sweep_parts/sweep_file.py has the rules):
+How sweep files are written stands at the head of scripts/sweep_parts/sweep_file.py;
+doc/studies.md shows how to work with them.
 
-    base   = punctured_strip.prm
-    common = --set "Geometry/Punctured strip/Notch height=6"
-    coarse = --set "Mesh/Adaptive levels=1"
-    fine   = --set "Mesh/Adaptive levels=2"
+Each case has a directory OUTPUT/cases/ID, with what mixed-cracks writes, screen.txt,
+and case.json, which says how it came about; OUTPUT/NAME is a link to it. The id is
+made of the parameters in effect and the files read. A complete case is read-only and
+not run again; other parameters are another case.
 
-Each run gets a directory OUTPUT/NAME: what mixed-cracks writes, screen.txt, and
-sweep_command.txt with the command. A run that ended with exit status 0, with the
-same options and the same base file, is not repeated unless --again is given. A
-run that fails does not stop the others.
-
-OUTPUT/sweep.csv has a row per run; what is not known is left empty:
-  exit_status            of the run
+OUTPUT/sweep.csv has a row per case; what is not known is left empty:
+  name, state            new, running, stopped, failed, stale (there are results of
+                         other parameters only) or complete
+  reason                 why it is not complete
+  case_id, revision, job, exit_status
+                         what it is, and which program and jobs have made it
+  ...                    what the sweep varies
   separated, outcome, start
                          what became of the body, and where the crack started;
                          separated is empty in 3-d, where cracks are not traced
@@ -39,188 +48,82 @@ OUTPUT/sweep.csv has a row per run; what is not known is left empty:
 
 SIGINT (Ctrl-C), SIGTERM, SIGHUP and SIGUSR1 stop the runs that are going on, with
 checkpoints, and start no more; a second Ctrl-C, two seconds later, ends them as they
-are. One sweep at a time has OUTPUT; a second one is refused.
+are. One sweep at a time has OUTPUT, and one process a case; a second one is refused.
 
-Exit status: 0; 1 when a run failed; 2 for wrong input or usage. Needs Python's
-own library only.
+Exit status: 0; 1 when a case failed or is missing, or a tolerance of compare is not
+met; 2 for wrong input or usage; 5 when bisect or uncertainty was stopped and the same
+command goes on; of task that of the case, see there. Needs Python's own library only.
 """
 import argparse
-import fnmatch
 import os
-import shutil
-import signal
 import sys
 
 sys.path.insert(0, os.path.dirname(os.path.realpath(__file__)))
-from sweep_parts import lock, runner, sweep_file, table  # noqa: E402
+from sweep_parts import (command_bisect, command_clean,  # noqa: E402
+                         command_collect, command_compare, command_plan,
+                         command_report, command_run, command_status, command_submit,
+                         command_task, command_uncertainty, lock, study)
+from sweep_parts.errors import SweepError  # noqa: E402
 
-
-def found_program():
-    """The program of this source tree, beside this installation, or on the PATH."""
-    here = os.path.dirname(os.path.realpath(__file__))
-    for path in (os.path.join(here, os.pardir, "build", "mixed-cracks"),
-                 os.path.join(here, os.pardir, os.pardir, os.pardir, "bin",
-                              "mixed-cracks")):
-        if os.access(path, os.X_OK):
-            return os.path.normpath(path)
-    return shutil.which("mixed-cracks")
-
-
-def positive(text):
-    if not text.isdigit() or int(text) == 0:
-        raise argparse.ArgumentTypeError("expected a number of at least 1, found '%s'"
-                                         % text)
-    return int(text)
+# Each module has HELP, add_options(parser), and run(arguments, study), which returns
+# the exit status.
+COMMANDS = {"plan": command_plan, "run": command_run, "submit": command_submit,
+            "task": command_task, "status": command_status,
+            "collect": command_collect, "clean": command_clean,
+            "compare": command_compare, "bisect": command_bisect,
+            "uncertainty": command_uncertainty, "report": command_report}
 
 
 def read_arguments(words):
     parser = argparse.ArgumentParser(
-        description="Run variants of one parameter file and collect them into a "
-                    "table.", usage="%(prog)s SWEEP_FILE [options] [-- options for "
-                                    "every run]")
-    parser.add_argument("sweep_file", metavar="SWEEP_FILE")
-    parser.add_argument("--ranks", type=positive, default=1, metavar="N",
-                        help="MPI ranks of each run (1)")
-    parser.add_argument("--jobs", type=positive, default=1, metavar="J",
-                        help="runs at a time (1)")
-    parser.add_argument("--output", metavar="DIR",
-                        help="directory of the results (results/NAME OF THE FILE)")
-    parser.add_argument("--only", nargs="+", metavar="NAME",
-                        help="these runs only; patterns as 'fine_*' are allowed")
-    parser.add_argument("--program", metavar="PATH",
-                        help="mixed-cracks (the one in build/, or on the PATH)")
-    parser.add_argument("--mpirun", metavar="COMMAND", default="mpirun",
-                        help="launcher that takes -n N (mpirun); '' for none")
-    parser.add_argument("--list", action="store_true",
-                        help="print one line with the command of each run")
-    parser.add_argument("--table-only", action="store_true",
-                        help="run nothing, write the table of what there is")
-    parser.add_argument("--again", action="store_true",
-                        help="repeat runs that are complete as well")
+        description="Variants of one parameter file, here or on a cluster.",
+        epilog="sweep.py FILE is sweep.py run FILE.")
+    commands = parser.add_subparsers(metavar="COMMAND", dest="command", required=True)
+    for name, module in COMMANDS.items():
+        one = commands.add_parser(name, help=module.HELP, description=module.HELP)
+        one.add_argument("file", metavar="FILE")
+        one.add_argument("--output", metavar="DIR",
+                         help="directory of the results (results/NAME OF THE FILE)")
+        one.add_argument("--program", metavar="PATH",
+                         help="mixed-cracks (the one in build/, or on the PATH)")
+        one.add_argument("--only", nargs="+", metavar="NAME",
+                         help="these cases only; patterns as 'fine_*' are allowed")
+        module.add_options(one)
     extra = []
     if "--" in words:
         extra = words[words.index("--") + 1:]
         words = words[:words.index("--")]
-    arguments = parser.parse_args(words)
+    if words and words[0] not in COMMANDS and words[0] not in ("-h", "--help"):
+        if words[0].isalpha() and not os.path.exists(words[0]):
+            parser.error("'%s' is neither a command (%s) nor a file"
+                         % (words[0], ", ".join(COMMANDS)))
+        words = ["run"] + words
+    arguments, rest = parser.parse_known_args(words)
+    # argparse takes names directly behind the file only
+    if rest and not (hasattr(arguments, "names") and rest[0][:1] != "-"):
+        parser.error("there is no '%s'" % rest[0])
+    if rest:
+        arguments.names += rest
     arguments.extra = extra
-    if arguments.output is None:
-        stem = os.path.splitext(os.path.basename(arguments.sweep_file))[0]
-        arguments.output = os.path.join("results", stem)
     return arguments
-
-
-def require_program(arguments):
-    """An absolute path, for the commands are to work anywhere."""
-    if arguments.program is None:
-        arguments.program = found_program()
-        if arguments.program is None:
-            raise sweep_file.SweepError(
-                "mixed-cracks is neither in build/ nor on the PATH; name it with "
-                "--program")
-    elif os.sep not in arguments.program:
-        arguments.program = shutil.which(arguments.program) or arguments.program
-    arguments.program = os.path.abspath(arguments.program)
-    if not os.access(arguments.program, os.X_OK):
-        raise sweep_file.SweepError("--program: '%s' cannot be run"
-                                    % arguments.program)
-    launcher = arguments.mpirun.split()
-    if launcher and not arguments.list and shutil.which(launcher[0]) is None:
-        raise sweep_file.SweepError("--mpirun: there is no '%s'" % launcher[0])
-
-
-def chosen_names(sweep, patterns):
-    for pattern in patterns or ():
-        if not fnmatch.filter(sweep.runs, pattern):
-            raise sweep_file.SweepError("--only: there is no run '%s' in %s; there are %s"
-                                        % (pattern, sweep.path, ", ".join(sweep.runs)))
-    return [name for name in sweep.runs if patterns is None or
-            any(fnmatch.fnmatchcase(name, pattern) for pattern in patterns)]
-
-
-def run_those_left(runs, arguments):
-    """Runs what is not complete; whether all that was wanted was run."""
-    left = [run for run in runs if arguments.again or not run.is_complete()]
-    if len(left) < len(runs):
-        print("%d of %d runs are complete already" % (len(runs) - len(left), len(runs)),
-              flush=True)
-    workers = runner.Runner(arguments.jobs)
-    for number in (signal.SIGINT, signal.SIGTERM, signal.SIGHUP, signal.SIGUSR1):
-        signal.signal(number, workers.stop)
-    n_done = 0
-
-    def done(run, seconds):
-        nonlocal n_done
-        n_done += 1
-        status = table.exit_status_of(run.directory,
-                                      table.summary_of(run.directory))
-        status = run.status if status is None else status
-        print("[%d/%d] %s: exit status %d after %.0f s%s"
-              % (n_done, len(left), run.name, status, seconds,
-                 "" if run.status == 0 else "; " + runner.last_words(run)), flush=True)
-
-    workers.all(left, done)
-    if workers.stopped:
-        print("stopped; %d runs were not started" % (len(left) - n_done))
-    return not workers.stopped
 
 
 def main():
     arguments = read_arguments(sys.argv[1:])
+    module = COMMANDS[arguments.command]
     try:
-        sweep = sweep_file.Sweep(arguments.sweep_file)
-        names = chosen_names(sweep, arguments.only)
-        if not arguments.table_only:
-            require_program(arguments)
-        runs = [runner.Run(sweep, name, arguments) for name in names]
-    except (sweep_file.SweepError, OSError) as error:
+        return module.run(arguments, opened(module, arguments))
+    except (SweepError, lock.InUse, OSError) as error:
         print("sweep.py: %s" % error, file=sys.stderr)
-        return 2
-    if arguments.list:
-        signal.signal(signal.SIGPIPE, signal.SIG_DFL)  # as in "--list | head -1"
-        for run in runs:
-            print(runner.shlex_joined(run.command))
-        return 0
-    whole = True
-    if arguments.table_only:
-        for run in runs:
-            if run.differs():
-                print("%s: was run with other options or another base file"
-                      % run.name, file=sys.stderr)
-        return write_table(sweep, names, runs, whole, arguments)
-    try:
-        os.makedirs(arguments.output, exist_ok=True)
-        held = lock.Lock(arguments.output)
-    except (lock.InUse, OSError) as error:
-        print("sweep.py: %s" % error, file=sys.stderr)
-        return 2
-    if held.warning:
-        print("sweep.py: warning: %s" % held.warning, file=sys.stderr)
-    try:
-        whole = run_those_left(runs, arguments)
-        return write_table(sweep, names, runs, whole, arguments)
-    finally:
-        held.release()
+        return getattr(error, "exit_status", 2)
 
 
-def write_table(sweep, names, runs, whole, arguments):
-    """Returns the exit status."""
-    # the table is of the whole file, also when only some have been run now
-    rows = [table.row_of(name, os.path.join(arguments.output, name))
-            for name in sweep.runs]
-    try:
-        os.makedirs(arguments.output, exist_ok=True)
-        table.write_table(os.path.join(arguments.output, "sweep.csv"), rows)
-    except OSError as error:
-        print("sweep.py: %s" % error, file=sys.stderr)
-        return 2
-    print(os.path.join(arguments.output, "sweep.csv"))
-    failed = [row["name"] for row in rows
-              if row["name"] in names and row["exit_status"] not in (0, None)]
-    failed += [run.name for run in runs
-               if run.status not in (0, None) and run.name not in failed]
-    if failed:
-        print("failed: " + ", ".join(failed), file=sys.stderr)
-    return 1 if failed or not whole else 0
+def opened(module, arguments):
+    """The study that a command works on; those with a way of their own get None."""
+    if getattr(module, "OPENS_ITSELF", False):
+        return None
+    return study.Study(arguments.file, arguments.output, arguments.program,
+                       arguments.extra)
 
 
 if __name__ == "__main__":

@@ -58,10 +58,15 @@ def written(directory):
               + guarded(remarks, "The tables", table_section, results))
     # drawing may add remarks, so the head comes last
     figures = guarded(remarks, "The key figures", words.key_figures, results, force)
-    body = head(results, figures, remarks) + middle + foot(results)
+    return in_frame(words.title_of(results),
+                    head(results, figures, remarks) + middle + foot(results))
+
+
+def in_frame(title, body):
+    """A whole page: the title is text, the body HTML."""
     with open(os.path.join(os.path.dirname(__file__), "page.css")) as stream:
         style = stream.read()
-    return PAGE.format(title=escaped(words.title_of(results)), style=style, body=body)
+    return PAGE.format(title=escaped(title), style=style, body=body)
 
 
 def head(results, key_figures, remarks):

@@ -5,6 +5,7 @@ import re
 
 import numpy as np
 
+from .parameters import read_parameters
 from .safe import csv_table, finite, is_number_or_empty, json_object, read_text
 
 
@@ -89,23 +90,6 @@ def read_summary(path, remarks):
     except ValueError as error:
         remarks.append("summary.json cannot be read (%s)." % error)
         return {}
-
-
-def read_parameters(path):
-    """{"Subsection/Entry": value} of a .prm file."""
-    values, section = {}, []
-    for line in (read_text(path) or "").splitlines():
-        line = line.split("#", 1)[0].strip()
-        if line.startswith("subsection "):
-            section.append(line[len("subsection "):].strip())
-        elif line == "end":
-            if section:
-                section.pop()
-        else:
-            found = re.match(r"set\s+(.*?)\s*=\s*(.*)$", line)
-            if found:
-                values["/".join(section + [found.group(1)])] = found.group(2).strip()
-    return values
 
 
 def read_log_warnings(path, largest=8):

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 """Keeps other processes out of a directory, as mixed-cracks does: by a lock of the
-operating system on the file .lock in it, which is gone with its process."""
+operating system on the file .lock in it, or another one, which is gone with its
+process."""
 import errno
 import os
 import socket
@@ -17,7 +18,13 @@ NO_LOCKS = (errno.ENOLCK, errno.ENOSYS, errno.EINVAL, errno.EOPNOTSUPP)
 
 
 class InUse(Exception):
-    """The message names directory and holder."""
+    """The message names directory and holder; holder: in words."""
+
+    def __init__(self, path):
+        self.holder = holder_of(path)
+        named = os.path.dirname(path) if os.path.basename(path) == NAME \
+            else path[:-len(".lock")]
+        super().__init__("'%s' is in use by %s" % (named, self.holder))
 
 
 def holder_of(path):
@@ -35,18 +42,15 @@ def holder_of(path):
     return "process %(process)s on host %(host)s since %(since)s" % known
 
 
-def refused(directory):
-    return InUse("'%s' is in use by %s" % (directory,
-                                           holder_of(os.path.join(directory, NAME))))
-
-
 class Lock:
     """Of a directory that exists; held until release() or the end of the process.
-    Raises InUse. `warning` tells when the file system has no locks."""
+    Raises InUse when it is not free within `wait` seconds. `warning` tells when the
+    file system has no locks."""
 
-    def __init__(self, directory):
-        self.path = os.path.join(directory, NAME)
+    def __init__(self, directory, name=NAME, wait=0.):
+        self.path = os.path.join(directory, name)
         self.stream, self.warning = None, ""
+        deadline = time.monotonic() + wait
         while self.stream is None:
             # inherited by nobody: Python opens files so
             stream = open(self.path, "a+", encoding="utf-8")
@@ -57,7 +61,10 @@ class Lock:
             except OSError as error:
                 if error.errno not in NO_LOCKS:
                     stream.close()
-                    raise refused(directory) from None
+                    if time.monotonic() >= deadline:
+                        raise InUse(self.path) from None
+                    time.sleep(0.1)
+                    continue
                 self.warning = "the file system of '%s' has no locks: see to it that " \
                     "there is one sweep at a time" % directory
             # its last holder may have removed it meanwhile
@@ -76,6 +83,8 @@ class Lock:
             os.remove(self.path)
         self.stream.close()
 
+    close = release  # for contextlib.closing
+
 
 def is_at(path, stream):
     """Whether a name still leads to an open file."""
@@ -85,10 +94,11 @@ def is_at(path, stream):
         return False
 
 
-def require_free(directory):
+def require_free(directory, name=NAME):
     """Raises InUse when a process has the directory; touches nothing."""
+    path = os.path.join(directory, name)
     try:
-        stream = open(os.path.join(directory, NAME), encoding="utf-8")
+        stream = open(path, encoding="utf-8")
     except OSError:
         return
     with stream:
@@ -97,4 +107,4 @@ def require_free(directory):
                 fcntl.flock(stream, fcntl.LOCK_SH | fcntl.LOCK_NB)
         except OSError as error:
             if error.errno not in NO_LOCKS:
-                raise refused(directory) from None
+                raise InUse(path) from None

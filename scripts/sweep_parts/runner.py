@@ -1,6 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Runs of a sweep: their commands, whether they are done, several at a time."""
-import os
+"""Advances cases, several at a time, on this machine or within a job of a queue."""
 import shlex
 import signal
 import subprocess
@@ -8,80 +7,47 @@ import threading
 import time
 from concurrent.futures import ThreadPoolExecutor, as_completed
 
-from . import lock, table
-
-# One thread per rank; no binding, for several runs share the cores. Open MPI
-# refuses root, the usual user of a container, unless told.
-ENVIRONMENT = {"OMPI_ALLOW_RUN_AS_ROOT": "1", "OMPI_ALLOW_RUN_AS_ROOT_CONFIRM": "1",
-               "OMPI_MCA_rmaps_base_oversubscribe": "1",
-               "OMPI_MCA_hwloc_base_binding_policy": "none",
-               "OMPI_MCA_btl_vader_single_copy_mechanism": "none",
-               "OMP_NUM_THREADS": "1", "OPENBLAS_NUM_THREADS": "1",
-               "DEAL_II_NUM_THREADS": "1"}
-# They do not change what a run comes to.
-WITHOUT_EFFECT = ("--overwrite", "--resume")
-
-
-class Run:
-    def __init__(self, sweep, name, arguments):
-        self.name = name
-        self.directory = os.path.join(os.path.abspath(arguments.output), name)
-        options = sweep.options(name, arguments.extra)
-        self.options = [word for word in options if word not in WITHOUT_EFFECT]
-        self.base, self.checksum = sweep.base, sweep.base_checksum()
-        self.launcher = shlex.split(arguments.mpirun)
-        if self.launcher:
-            self.launcher += ["-n", str(arguments.ranks)]
-        self.program = arguments.program
-        self.resume = "--resume" in options and os.path.isdir(
-            os.path.join(self.directory, "checkpoint"))
-        self.status = None
-
-    @property
-    def command(self):
-        return self.launcher + [
-            self.program, "--resume" if self.resume else "--overwrite",
-            "--output", self.directory] + self.options + [self.base]
-
-    def is_complete(self):
-        """Whether it has been run to its end, with these options."""
-        summary = table.summary_of(self.directory)
-        return summary.get("exit_status") == 0 \
-            and table.exit_status_of(self.directory, summary) == 0 \
-            and self.is_described_by(table.record_of(self.directory))
-
-    def is_described_by(self, record):
-        return record.get("options") == shlex_joined(self.options) \
-            and record.get("base") == self.checksum
-
-    def differs(self):
-        """Whether what is there was made with other options or another base."""
-        record = table.record_of(self.directory)
-        return bool(record) and not self.is_described_by(record)
-
-    def note(self, status=None):
-        with open(os.path.join(self.directory, table.COMMAND_FILE), "w",
-                  encoding="utf-8") as stream:
-            stream.write("%s\n# options: %s\n# base: %s\n"
-                         % (shlex_joined(self.command), shlex_joined(self.options),
-                            self.checksum))
-            if status is not None:
-                stream.write("# exit status: %d\n" % status)
+from . import lock
+from .advance import FILES, Piece
+from .program import environment
 
 
 def shlex_joined(words):
     return " ".join(shlex.quote(word) for word in words)
 
 
+class Launch:
+    """How the program is started: launcher: words that take -n RANKS, may be none."""
+
+    def __init__(self, program, launcher, ranks, job=None):
+        self.program, self.ranks, self.job = program, ranks, job or {}
+        self.launcher = list(launcher)
+        if self.launcher:
+            self.launcher += ["-n", str(ranks)]
+
+    def command(self, case, resume):
+        return self.launcher + [
+            self.program.path, "--resume" if resume else "--overwrite",
+            "--output", case.directory] + case.options + [case.base]
+
+
 class Runner:
     """Runs several at a time; stop() ends those that are going on."""
 
-    def __init__(self, jobs):
-        self.jobs = jobs
+    def __init__(self, launch=None, jobs=1):
+        self.launch, self.jobs = launch, jobs
         self.going_on = set()
-        self.stopped = False
+        self.signal = None  # that asked for an end
         self.stopped_at = 0.
         self.lock = threading.RLock()
+
+    @property
+    def stopped(self):
+        return self.signal is not None
+
+    def listen(self):
+        for number in (signal.SIGINT, signal.SIGTERM, signal.SIGHUP, signal.SIGUSR1):
+            signal.signal(number, self.stop)
 
     def stop(self, number, *_):
         """A handler of signals: asks the runs to write a checkpoint and end; a
@@ -93,7 +59,7 @@ class Runner:
                 self.stopped_at = time.monotonic()
             elif number == signal.SIGINT and time.monotonic() > self.stopped_at + 2.:
                 how = signal.SIGTERM
-            self.stopped = True
+            self.signal = self.signal or number
             for process in self.going_on:
                 try:
                     process.send_signal(how)
@@ -109,58 +75,48 @@ class Runner:
                 if self.stopped:
                     process.send_signal(signal.SIGUSR1)
 
-    def one(self, run):
-        """Sets run.status; returns the seconds it took."""
-        begin = time.time()
-        try:
-            os.makedirs(run.directory, exist_ok=True)
-            lock.require_free(run.directory)
-            # an old summary must not pass for that of a run that is killed
-            summary = os.path.join(run.directory, "summary.json")
-            if os.path.exists(summary):
-                os.remove(summary)
-            run.note()
-            with open(os.path.join(run.directory, "screen.txt"), "wb") as screen:
-                with self.lock:
-                    if self.stopped:
-                        return 0.
-                    # a session of its own: Ctrl-C must not kill it half-way
-                    process = subprocess.Popen(
-                        run.command, stdin=subprocess.DEVNULL, stdout=screen,
-                        stderr=subprocess.STDOUT, start_new_session=True,
-                        env=dict(ENVIRONMENT, **os.environ))
-                    self.going_on.add(process)
-                run.status = self.status_of(process)
-                with self.lock:
-                    self.going_on.discard(process)
-            run.note(run.status)
-        except lock.InUse as error:
-            run.status = 4
-            print("%s: %s" % (run.name, error), flush=True)
-        except OSError as error:
-            run.status = 127
-            print("%s: %s" % (run.name, error), flush=True)
-        return time.time() - begin
+    def started(self, command, screen):
+        """(exit status, signal that stopped it or None)."""
+        with self.lock:
+            if self.stopped:
+                return 6, int(self.signal)
+            # a session of its own: Ctrl-C must not kill it half-way
+            process = subprocess.Popen(
+                command, stdin=subprocess.DEVNULL, stdout=screen,
+                stderr=subprocess.STDOUT, start_new_session=True, env=environment())
+            self.going_on.add(process)
+        status = self.status_of(process)
+        with self.lock:
+            self.going_on.discard(process)
+            return status, int(self.signal) if self.stopped else None
 
-    def all(self, runs, when_done):
+    def one(self, case, when_begun=None):
+        """(exit status, why, seconds); None for a status when it was not begun."""
+        begin = time.monotonic()
+        status, reason = None, ""
+        if not self.stopped:
+            if when_begun:
+                when_begun(case)
+            piece = Piece(case, self.launch.program, self.launch.ranks,
+                          self.launch.job)
+            try:
+                status, reason = piece.advance(self.launch.command, self.started)
+            except lock.InUse as error:
+                status, reason = FILES, str(error)
+            except OSError as error:
+                status, reason = 127, str(error)
+        return status, reason, time.monotonic() - begin
+
+    def all(self, cases, when_done, when_begun=None):
+        """{name: exit status} of those that were begun; when_begun(case) before and
+        when_done(case, status, reason, seconds) after each."""
+        statuses = {}
         with ThreadPoolExecutor(max_workers=self.jobs) as pool:
-            futures = {}
-            for run in runs:
-                futures[pool.submit(self.one, run)] = run
+            futures = {pool.submit(self.one, case, when_begun): case
+                       for case in cases}
             for future in as_completed(futures):
-                if futures[future].status is not None:
-                    when_done(futures[future], future.result())
-
-
-def last_words(run):
-    """Why a run failed: its error message, the reason in its summary, or what it
-    wrote last."""
-    try:
-        with open(os.path.join(run.directory, "screen.txt"), encoding="utf-8",
-                  errors="replace") as stream:
-            lines = [line.strip() for line in stream if line.strip()]
-    except OSError:
-        return ""
-    errors = [line for line in lines if "error:" in line]
-    reason = table.summary_of(run.directory).get("exit_reason")
-    return errors[-1] if errors else str(reason) if reason else (lines or [""])[-1]
+                status, reason, seconds = future.result()
+                if status is not None:
+                    statuses[futures[future].name] = status
+                    when_done(futures[future], status, reason, seconds)
+        return statuses

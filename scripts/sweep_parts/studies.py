@@ -1,26 +1,12 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""What scripts/study.py reads: runs of a sweep, references for comparison."""
-import collections
+"""Runs of a sweep with their results, as figures and comparisons need them."""
 import csv
 import fnmatch
-import math
 import os
 
 from report_parts import moments
 from report_parts.results import Results
-
-FORCES = ("force_N_per_mm", "force_N")
-# a column each for what lies below and above the mean of several tests
-SCATTER = ("displacement_minus_mm", "displacement_plus_mm", "force_minus",
-           "force_plus")
-
-# unit: which of FORCES; scatter: (low, high) of displacement and force, or None
-Reference = collections.namedtuple("Reference",
-                                   "name displacement force unit scatter")
-
-
-class StudyError(Exception):
-    """What is wrong with the input; the text is for a person."""
+from study_parts.errors import StudyError
 
 
 class StudyRun:
@@ -81,87 +67,37 @@ class StudyRun:
         return self.name.rpartition("_")[0] or self.name
 
 
-def runs_of(directory, patterns):
-    """The runs in the order of sweep.csv; without one, by name."""
-    if not os.path.isdir(directory):
-        raise StudyError("there is no directory '%s'" % directory)
+def places_of(directory):
+    """{name: directory} of the runs that have rows, in the order of sweep.csv; without
+    one, by name. A stale name leads to results of other parameters and is no run; where
+    a file system has no links, the table tells the case."""
     try:
         with open(os.path.join(directory, "sweep.csv"), encoding="utf-8",
                   newline="") as stream:
-            names = [row["name"] for row in csv.DictReader(stream) if row.get("name")]
-    except (OSError, KeyError, ValueError, csv.Error):
-        names = sorted(os.listdir(directory))
-    names = [name for name in names
-             if os.path.isfile(os.path.join(directory, name, "statistics.csv"))]
+            rows = [row for row in csv.DictReader(stream)
+                    if row.get("name") and row.get("state") != "stale"]
+    except (OSError, ValueError, csv.Error):
+        rows = []
+    found = {}
+    for row in rows or [{"name": name} for name in sorted(os.listdir(directory))]:
+        for place in (row["name"], os.path.join("cases", row.get("case_id") or "")):
+            path = os.path.join(directory, place)
+            if os.path.isfile(os.path.join(path, "statistics.csv")):
+                found.setdefault(row["name"], path)
+    return found
+
+
+def runs_of(directory, patterns):
+    """[StudyRun] of a directory that sweep.py wrote."""
+    if not os.path.isdir(directory):
+        raise StudyError("there is no directory '%s'" % directory)
+    places = places_of(directory)
     for pattern in patterns or ():
-        if not fnmatch.filter(names, pattern):
+        if not fnmatch.filter(places, pattern):
             raise StudyError("--only: there is no run '%s' in %s" % (pattern, directory))
-    names = [name for name in names if not patterns or
+    names = [name for name in places if not patterns or
              any(fnmatch.fnmatchcase(name, pattern) for pattern in patterns)]
     if not names:
         raise StudyError("'%s' holds no run (no directory with a statistics.csv)"
                          % directory)
-    return [StudyRun(name, os.path.join(directory, name)) for name in names]
-
-
-def reference_of(run_name, names):
-    """Which of the names of references belongs to a run: its own, or its last word
-    (of neo_hooke_12, 12), or none."""
-    for name in (run_name, run_name.rpartition("_")[2]):
-        if name in names:
-            return name
-    return None
-
-
-def numbers(row, columns):
-    values = [float(row[column]) for column in columns]
-    if not all(map(math.isfinite, values)):
-        raise ValueError
-    return values
-
-
-def reference_row(row, unit, has_scatter):
-    displacement, force = numbers(row, ("displacement_mm", unit))
-    scatter = None
-    if has_scatter:
-        below, above, weaker, stronger = numbers(row, SCATTER)
-        scatter = ((displacement - below, displacement + above),
-                   (force - weaker, force + stronger))
-    return Reference(row.get("name", ""), displacement, force, unit, scatter)
-
-
-def read_reference(path, name_needed):
-    """[Reference] of a CSV file."""
-    try:
-        with open(path, encoding="utf-8") as stream:
-            lines = [(number, line) for number, line in enumerate(stream, 1)
-                     if line.strip() and not line.lstrip().startswith("#")]
-    except (OSError, UnicodeDecodeError) as error:
-        raise StudyError("%s cannot be read: %s" % (path, error))
-    header = [name.strip() for name in next(csv.reader([lines[0][1]]))] \
-        if lines else []
-    force = next((name for name in FORCES if name in header), None)
-    if force is None or "displacement_mm" not in header \
-            or (name_needed and "name" not in header):
-        raise StudyError("%s: expected a header with %sdisplacement_mm and %s"
-                         % (path, "name, " if name_needed else "",
-                            " or ".join(FORCES)))
-    has_scatter = any(name in header for name in SCATTER)
-    missing = [name for name in SCATTER if has_scatter and name not in header]
-    if missing:
-        raise StudyError("%s: scatter needs all of %s; there is no %s"
-                         % (path, ", ".join(SCATTER), missing[0]))
-    rows = []
-    for number, line in lines[1:]:
-        values = [value.strip() for value in next(csv.reader([line]))]
-        try:
-            if len(values) != len(header):
-                raise ValueError
-            rows.append(reference_row(dict(zip(header, values)), force, has_scatter))
-        except (KeyError, ValueError):
-            raise StudyError("%s:%d: expected %d values with numbers in "
-                             "displacement_mm and %s, found '%s'"
-                             % (path, number, len(header),
-                                ", ".join((force,) + SCATTER) if has_scatter
-                                else force, line.strip()))
-    return rows
+    return [StudyRun(name, places[name]) for name in names]

@@ -117,10 +117,15 @@ def small_png(data):
     return min(stream.getvalue(), data, key=len)
 
 
-def write(runs, path, n_columns, title):
+def png_of(runs, n_columns, title):
     stream = io.BytesIO()
     with matplotlib.rc_context({"font.family": "DejaVu Sans"}):
         draw(runs, n_columns, title).savefig(stream, format="png", dpi=DPI,
                                              metadata={"Software": None})
+    return small_png(stream.getvalue())
+
+
+def write(runs, path, n_columns, title):
+    data = png_of(runs, n_columns, title)
     with open(path, "wb") as file:
-        file.write(small_png(stream.getvalue()))
+        file.write(data)

@@ -8,8 +8,8 @@ from matplotlib.colors import to_rgb
 from matplotlib.figure import Figure
 
 from report_parts import curves
-
-from . import studies
+from study_parts import references
+from study_parts.errors import StudyError
 
 # Told apart by hue and, where that fails, by lightness.
 HUES = ("#2f6690", "#b5403a", "#4f8a5b", "#c08a2d", "#6d4c8f", "#3a8f93",
@@ -50,9 +50,9 @@ class ReferenceCurve:
         self.y = np.array([point.force for point in points])
         self.bars = None  # below and above of x, and of y
         if points[0].scatter is not None:
-            ranges = np.array([point.scatter for point in points])
-            self.bars = [np.abs(ranges[:, k].T - mean)
-                         for k, mean in enumerate((self.x, self.y))]
+            self.bars = [bars_of([point.scatter and point.scatter[k] or (mean, mean)
+                                  for point, mean in zip(points, means)], means)
+                         for k, means in enumerate((self.x, self.y))]
 
     def scale_forces(self, factor):
         self.y *= factor
@@ -72,12 +72,17 @@ class ReferenceCurve:
                       label=self.label)
 
 
+def bars_of(bands, means):
+    """Lengths below and above the means, (2, n)."""
+    return np.abs(np.array(bands).T - means)
+
+
 def reference_curves(paths, runs, per_thickness):
     """[ReferenceCurve], with forces as the curves of the runs have them."""
     found = []
     for path in paths:
         groups = {}
-        for point in studies.read_reference(path, False):
+        for point in references.read_points(path, False):
             groups.setdefault(point.name, []).append(point)
         stem = os.path.splitext(os.path.basename(path))[0]
         for name, points in groups.items():
@@ -85,7 +90,7 @@ def reference_curves(paths, runs, per_thickness):
             if (points[0].unit == "force_N_per_mm") != per_thickness:
                 t = thickness_for(name, runs)
                 if t is None:
-                    raise studies.StudyError(
+                    raise StudyError(
                         "%s: no run tells its thickness, which its forces need" % path)
                 curve.scale_forces(1. / t if per_thickness else t)
             found.append(curve)
@@ -93,7 +98,7 @@ def reference_curves(paths, runs, per_thickness):
 
 
 def runs_for(name, runs):
-    return [run for run in runs if studies.reference_of(run.name, (name,))]
+    return [run for run in runs if references.name_for(run.name, (name,))]
 
 
 def thickness_for(name, runs):
@@ -111,9 +116,9 @@ def draw(runs, title, per_thickness, references):
     """The figure."""
     drawn = [run for run in runs if run.has_curve]
     if not drawn:
-        raise studies.StudyError("no run has a force and a displacement yet")
+        raise StudyError("no run has a force and a displacement yet")
     if per_thickness and any(run.thickness is None for run in drawn):
-        raise studies.StudyError(
+        raise StudyError(
             "--per-thickness: '%s' tells no thickness, neither in summary.json nor "
             "in parameters.prm" % next(r.name for r in drawn if r.thickness is None))
     references = reference_curves(references, drawn, per_thickness)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""One row per run of a sweep, from its summary.json and statistics.csv.
+"""Results of a run, from its summary.json and statistics.csv, and files of tables.
 Python's own library only: a cluster may have no numpy."""
 import csv
 import math
@@ -7,13 +7,12 @@ import os
 
 from report_parts import safe
 
-COLUMNS = ("name", "exit_status", "separated", "force_fell", "outcome", "start",
+RESULTS = ("separated", "force_fell", "outcome", "start",
            "peak_force_N", "displacement_at_peak_mm", "end_displacement_mm",
            "remaining_force_fraction", "steps", "rejected_steps", "refinements",
            "coupling_iterations", "factorizations", "dofs", "proportional_steps",
            "wall_time_s")
 SOFTENING = 0.02  # fall of force / displacement that ends proportionality
-COMMAND_FILE = "sweep_command.txt"
 
 
 def summary_of(directory):
@@ -35,19 +34,10 @@ def statistics_of(directory):
             for line in lines if all(map(safe.is_number_or_empty, line))]
 
 
-def record_of(directory):
-    """{"options", "base", "exit status"} as sweep.py noted them at a run."""
-    record = {}
-    try:
-        with open(os.path.join(directory, COMMAND_FILE), encoding="utf-8",
-                  errors="replace") as stream:
-            for line in stream:
-                if line.startswith("# ") and ": " in line:
-                    key, _, value = line[2:].rstrip("\n").partition(": ")
-                    record[key] = value
-    except (OSError, ValueError):
-        pass
-    return record
+def last_step(directory):
+    """Number of the last accepted step in statistics.csv; -1 without any."""
+    rows = statistics_of(directory)
+    return int(rows[-1].get("step", -1)) if rows else -1
 
 
 def force_column(rows):
@@ -76,24 +66,8 @@ def proportional_steps(rows):
     return len(rows)
 
 
-def exit_status_of(directory, summary):
-    """Of the last run in the directory; None when nothing tells it. The launcher
-    knows whether it failed, unless the run has been repeated by hand since, and
-    the summary knows how: mpirun makes 1 of most failures."""
-    recorded = record_of(directory).get("exit status", "")
-    try:
-        newer = os.path.getmtime(os.path.join(directory, "summary.json")) \
-            > os.path.getmtime(os.path.join(directory, COMMAND_FILE))
-    except OSError:
-        newer = False
-    own = summary.get("exit_status")
-    if recorded.lstrip("-").isdigit() and not newer:
-        return int(recorded) if int(recorded) == 0 or not own else own
-    return own
-
-
-def row_of(name, directory):
-    """{column: value}; None for what is not known."""
+def results_of(directory):
+    """{column of RESULTS: value}; None for what is not known."""
     summary, rows = summary_of(directory), statistics_of(directory)
     last = rows[-1] if rows else {}
 
@@ -101,20 +75,19 @@ def row_of(name, directory):
         values = [row[column] for row in rows if column in row]
         return summary.get(column, sum(values) if values else None)
 
-    row = {column: summary.get(column) for column in COLUMNS}
-    row.update(name=name, exit_status=exit_status_of(directory, summary),
-               start=summary.get("outcome_start"),
-               steps=summary.get("steps", last.get("step")),
-               rejected_steps=total("rejected_steps"),
-               coupling_iterations=total("coupling_iterations"),
-               factorizations=total("factorizations"),
-               refinements=last.get("refinements"),
-               dofs=last.get("dofs", summary.get("dofs")),
-               end_displacement_mm=summary.get("end_displacement_mm",
-                                               last.get("displacement_mm")),
-               proportional_steps=proportional_steps(rows),
-               wall_time_s=summary.get("wall_time_s", last.get("wall_time_s")))
-    return row
+    results = {column: summary.get(column) for column in RESULTS}
+    results.update(start=summary.get("outcome_start"),
+                   steps=summary.get("steps", last.get("step")),
+                   rejected_steps=total("rejected_steps"),
+                   coupling_iterations=total("coupling_iterations"),
+                   factorizations=total("factorizations"),
+                   refinements=last.get("refinements"),
+                   dofs=last.get("dofs", summary.get("dofs")),
+                   end_displacement_mm=summary.get("end_displacement_mm",
+                                                   last.get("displacement_mm")),
+                   proportional_steps=proportional_steps(rows),
+                   wall_time_s=summary.get("wall_time_s", last.get("wall_time_s")))
+    return results
 
 
 def as_text(value):
@@ -127,12 +100,12 @@ def as_text(value):
     return str(value)
 
 
-def write_table(path, rows):
+def write_table(path, columns, rows):
     """The table; the old one stays until the new one is whole."""
     new = "%s.%d" % (path, os.getpid())
     with open(new, "w", encoding="utf-8", newline="") as stream:
         writer = csv.writer(stream, lineterminator="\n")
-        writer.writerow(COLUMNS)
+        writer.writerow(columns)
         for row in rows:
-            writer.writerow([as_text(row[column]) for column in COLUMNS])
+            writer.writerow([as_text(row.get(column)) for column in columns])
     os.replace(new, path)

@@ -17,7 +17,8 @@ if __name__ == "__main__":
 import matplotlib  # noqa: E402
 import numpy as np  # noqa: E402
 matplotlib.use("Agg")
-from report_parts import page, solids, surfaces, vtu  # noqa: E402
+from report_parts import (animation, page, results, solids,  # noqa: E402
+                          surfaces, vtu)
 
 CORNERS = np.array([(0, 0, 0), (1, 0, 0), (1, 1, 0), (0, 1, 0),
                     (0, 0, 1), (1, 0, 1), (1, 1, 1), (0, 1, 1)], float)
@@ -190,6 +191,19 @@ class Runs(unittest.TestCase):
         answer = self.picture("--steps", "3")
         self.assertEqual(answer.returncode, 2)
         self.assertIn("found 3, allowed are -1 to 0", answer.stderr)
+
+    def test_video(self):
+        points, cells, _ = grid(4)
+        self.write_cube(points, cells, np.abs(2. * points[:, 1] - 1.))
+        frames = [png for _, png in animation.frames_of(
+            results.Results(self.folder.name), 10)]
+        self.write_cube(points, cells, np.ones(len(points)))
+        frames += [png for _, png in animation.frames_of(
+            results.Results(self.folder.name), 10)]
+        self.assertEqual([png[:4] for png in frames], 2 * [b"\x89PNG"])
+        # of one size, and the crack is seen
+        self.assertEqual(frames[0][16:24], frames[1][16:24])
+        self.assertNotEqual(frames[0], frames[1])
 
     def test_small_cracks_are_enlarged(self):
         points, cells, _ = grid(16)

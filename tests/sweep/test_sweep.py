@@ -5,6 +5,7 @@ runs."""
 import csv
 import fcntl
 import glob
+import json
 import os
 import re
 import shlex
@@ -21,7 +22,7 @@ ROOT = os.path.join(HERE, os.pardir, os.pardir)
 sys.path.insert(0, os.path.join(HERE, os.pardir, "report"))
 import synthetic_run  # noqa: E402
 
-PROGRAM = os.path.join(HERE, "fake_program.py")
+FAKE = os.path.join(HERE, "fake_program.py")
 SWEEP = os.path.join(ROOT, "scripts", "sweep.py")
 STUDY = os.path.join(ROOT, "scripts", "study.py")
 FILE = """# two materials
@@ -45,9 +46,23 @@ class Case(unittest.TestCase):
         # a blank in the name, as users have it
         self.directory = os.path.join(tempfile.mkdtemp(), "my sweeps")
         os.mkdir(self.directory)
-        self.addCleanup(shutil.rmtree, os.path.dirname(self.directory))
+        self.addCleanup(self.remove, os.path.dirname(self.directory))
         self.output = self.path("out")
+        # without a search for an interpreter, which takes longer than all it does
+        self.program = self.path("mixed-cracks")
+        synthetic_run.write(self.program, "#!%s -B\nimport runpy\nrunpy.run_path(%r, "
+                            "run_name='__main__')\n" % (sys.executable, FAKE))
+        os.chmod(self.program, 0o755)
         synthetic_run.write(self.path("base.prm"), "# nothing\n")
+
+    @staticmethod
+    def remove(directory):
+        """With complete cases, which are read-only."""
+        for parent, folders, _ in os.walk(directory):
+            for name in folders:
+                if not os.path.islink(os.path.join(parent, name)):
+                    os.chmod(os.path.join(parent, name), 0o755)
+        shutil.rmtree(directory)
 
     def path(self, *names):
         return os.path.join(self.directory, *names)
@@ -58,7 +73,7 @@ class Case(unittest.TestCase):
 
     def sweep(self, text, *arguments, status=0):
         synthetic_run.write(self.path("a.sweep"), text)
-        own = [self.path("a.sweep"), "--output", self.output, "--program", PROGRAM,
+        own = [self.path("a.sweep"), "--output", self.output, "--program", self.program,
                "--mpirun", ""]
         process = called(SWEEP, *(own + list(arguments)))
         self.assertNotIn("Traceback", process.stderr)
@@ -68,9 +83,19 @@ class Case(unittest.TestCase):
     def started(self):
         """Names of the runs that have been started, in any order."""
         try:
-            return sorted(self.text("out", "started.txt").split())
+            events = [line.split() for line in
+                      self.text("out", "cases", "events.txt").splitlines()]
         except OSError:
             return []
+        names = {}
+        for path in glob.glob(glob.escape(self.path("out", "cases")) + "/*/case.json"):
+            with open(path, encoding="utf-8") as stream:
+                record = json.load(stream)
+            names[record["id"]] = record["names"][0]
+        return sorted(names[event[1]] for event in events if event[3] == "start")
+
+    def record(self, name):
+        return json.loads(self.text("out", name, "case.json"))
 
     def table(self):
         with open(self.path("out", "sweep.csv"), newline="") as stream:
@@ -99,9 +124,67 @@ class Files(Case):
                            ("first_1 =", "the first is in line 5"),
                            ("base = base.prm", "the first is in line 2"),
                            ("common = --set Model/Name=b", "'Model/Name' is set twice"),
-                           ("names = base.prm", "only --set")):
+                           ("names = base.prm", "only --set"),
+                           ("cases = --set A/B=1", "cannot be called 'cases'"),
+                           ("set soft = 1", "only --set"),
+                           ("grid = A/B", "expected '\"Subsection/Entry\" :"),
+                           ("grid = A/B :", "expected '\"Subsection/Entry\" :"),
+                           ("grid = /B : 1", "before the ':'"),
+                           ("grid = A/B : 1 2 1", "has the value 1 twice"),
+                           ("grid = A/B : 6:18:-2", "leads nowhere"),
+                           ("grid = A/B : 6:18:0", "leads nowhere"),
+                           ("grid = A/B : 0:1e9:1", "leads nowhere"),
+                           ("grid = material : soft", "no line 'set soft"),
+                           ("name = h", "expects a pattern"),
+                           ("name = h_{x}", "there is none")):
             with self.subTest(line=line):
                 self.refused(FILE + line + "\n", "a.sweep:8:", word)
+
+    def test_grids_are_wrong_in_other_ways(self):
+        for lines, word in (
+                ("grid = A/B : 1\nzip = A/B : 1", "a.sweep:9: 'A/B' has a second grid"),
+                ("zip = A/B : 1 2\nzip = A/C : 1", "a.sweep:9: 'A/C' has 1 values"),
+                ("grid = A/B : 1 2\nname = h_{C}", "a.sweep:8: name: there is no grid"),
+                ("grid = A/B : 1 2\nname = {B}\n1 =", "two runs of the name '1'"),
+                ("grid = A/B : 1 1.0\nname = x{B}\nname = y{B}", "a second time"),
+                ("grid = A/B : -1 2\nname = {B}", "'-1' is no name"),
+                ("grid = A/B : 0:999:1\ngrid = A/C : 0:999:1", "1000000 points")):
+            with self.subTest(lines=lines):
+                self.refused(FILE + lines + "\n", "a.sweep:", word)
+
+    def test_grids(self):
+        text = """base = base.prm
+common = --set A/B=0
+set soft = --set M/x=1 --set A/B=9
+set hard = --set M/x=2
+grid = material : soft hard
+zip = "A/The height" : 6 10
+zip = "A/Levels": fine coarse
+name = {material}_{The height}_{Levels}
+mine = soft --set M/x=3
+"""
+        lines = [shlex.split(line) for line in self.sweep(
+            text, "--list").stdout.splitlines()]
+        settings = [[word for word in line if "=" in word] for line in lines]
+        self.assertEqual(settings, [
+            ["A/B=9", "M/x=3"],
+            ["A/B=9", "M/x=1", "A/The height=6", "A/Levels=fine"],
+            ["A/B=9", "M/x=1", "A/The height=10", "A/Levels=coarse"],
+            ["A/B=0", "M/x=2", "A/The height=6", "A/Levels=fine"],
+            ["A/B=0", "M/x=2", "A/The height=10", "A/Levels=coarse"]])
+        self.sweep(text)
+        table = self.table()
+        self.assertEqual(list(table), ["mine", "soft_6_fine", "soft_10_coarse",
+                                       "hard_6_fine", "hard_10_coarse"])
+        row = table["hard_10_coarse"]
+        self.assertEqual((row["material"], row["The height"], row["Levels"]),
+                         ("hard", "10", "coarse"))
+
+    def test_ranges(self):
+        text = "base = base.prm\ngrid = A/B : 6 10 12:18:2 0.1:0.3:0.1 5:3:-1\n"
+        self.sweep(text)
+        self.assertEqual(list(self.table()), ["B_" + value for value in (
+            "6 10 12 14 16 18 0.1 0.2 0.3 5 4 3".split())])
 
     def test_base_and_runs_are_needed(self):
         self.refused("base = nowhere.prm\nx =\n", "a.sweep:1:", "no base file",
@@ -122,10 +205,11 @@ class Files(Case):
                              "--", "--set", "Model/Name=b")
         lines = [shlex.split(line) for line in process.stdout.splitlines()]
         self.assertEqual(lines[1], [
-            "srun", "-n", "3", os.path.abspath(PROGRAM), "--overwrite", "--output",
-            self.path("out", "first_2"), "--set", "Mesh/Adaptive levels=2", "--set",
+            "srun", "-n", "3", self.program, "--overwrite", "--output",
+            lines[1][6], "--set", "Mesh/Adaptive levels=2", "--set",
             "Model/Name=b", self.path("base.prm")])
-        self.assertEqual(len(lines), 3)
+        self.assertEqual(os.path.dirname(lines[1][6]), self.path("out", "cases"))
+        self.assertEqual(len({line[6] for line in lines}), 3)
         self.assertEqual(self.started(), [])
         self.assertFalse(os.path.exists(self.output))
 
@@ -133,14 +217,16 @@ class Files(Case):
         found = glob.glob(os.path.join(ROOT, "parameters", "**", "*.sweep"),
                           recursive=True)
         self.assertGreaterEqual(len(found), 2)
+        sys.path.insert(0, os.path.join(ROOT, "scripts"))
+        from sweep_parts.sweep_file import Sweep
         for path in found:
-            process = called(SWEEP, path, "--list", "--program", PROGRAM)
-            self.assertEqual(process.returncode, 0, process.stderr)
-            lines = process.stdout.splitlines()
-            self.assertEqual(len(lines), len(set(lines)))
-            self.assertGreaterEqual(len(lines), 2)
-            if os.path.join("epdm", "notch_heights") in path:
-                self.assertEqual(len(lines), 10)
+            sweep = Sweep(path)
+            options = [tuple(sweep.options(name)) for name in sweep.runs]
+            self.assertEqual(len(options), len(set(options)), path)
+            self.assertGreaterEqual(len(options), 2)
+            if os.path.join("epdm", "notch_heights.sweep") in path:
+                self.assertEqual(len(options), 10)
+                self.assertEqual(list(sweep.runs)[::9], ["neo_hooke_6", "fit150_18"])
 
 
 class Runs(Case):
@@ -155,13 +241,17 @@ class Runs(Case):
                       end_displacement_mm="22", remaining_force_fraction="0.0625",
                       steps="12", rejected_steps="4", refinements="",
                       coupling_iterations="36", factorizations="", dofs="50",
-                      proportional_steps="10", wall_time_s="17", name="plain")
+                      proportional_steps="10", wall_time_s="17", name="plain",
+                      state="complete", reason="", revision="fake", job="",
+                      case_id=self.record("plain")["id"])
+        wanted.update({"Lame lambda": "", "Adaptive levels": ""})
         self.assertEqual(dict(table["plain"]), wanted)
         # of several settings the last one holds
         self.assertEqual(self.text("out", "first_2", "settings.txt"),
-                         "--overwrite=\nMesh/Adaptive levels=2\nModel/Name=a\n")
-        self.assertIn("Lame lambda=10", self.text("out", "first_1",
-                                                  "sweep_command.txt"))
+                         "Mesh/Adaptive levels=2\nModel/Name=a\n")
+        self.assertEqual(self.record("first_1")["settings"], {
+            "Mesh/Adaptive levels": "1", "Model/Name": "a",
+            "Material/Lame lambda": "10"})
         self.assertIn("a line of the log", self.text("out", "plain", "screen.txt"))
 
     def test_complete_runs_are_not_repeated(self):
@@ -176,18 +266,17 @@ class Runs(Case):
         self.sweep(FILE.replace("lambda=10", "lambda=11"), "--again", "--only", "pl*")
         self.assertEqual(self.started().count("plain"), 2)
         self.assertEqual(len(self.started()), 5)
-        # as with another base file
+        # as with another base file, but not with another comment in it
         synthetic_run.write(self.path("base.prm"), "# something\n")
         self.sweep(FILE, "--only", "plain")
-        self.assertEqual(self.started().count("plain"), 3)
-        # and one without its summary has not been completed
-        os.remove(self.path("out", "plain", "summary.json"))
+        self.assertEqual(self.started().count("plain"), 2)
+        synthetic_run.write(self.path("base.prm"), "Model/Law = another\n")
         self.sweep(FILE, "--only", "plain")
-        self.assertEqual(self.started().count("plain"), 4)
+        self.assertEqual(self.started().count("plain"), 3)
 
     def test_failing_runs_do_not_stop_the_others(self):
         text = FILE + "bad = --set Model/Fail=3\nworse = --set Model/Fail=9\n" \
-            "last =\n"
+            "last = --set Model/Last=1\n"
         process = self.sweep(text, status=1)
         self.assertIn("bad: exit status 3", process.stdout)
         self.assertIn("the smallest step is reached", process.stdout)
@@ -224,26 +313,24 @@ class Runs(Case):
 
     def test_only_and_table_only(self):
         self.sweep(FILE, "--only", "plain")
-        self.assertEqual(self.table()["first_1"]["exit_status"], "")
+        self.assertEqual(self.table()["first_1"]["state"], "new")
         os.remove(self.path("out", "sweep.csv"))
         process = self.sweep(FILE.replace("Name=a", "Name=b"), "--table-only")
-        self.assertIn("plain: was run with other options", process.stderr)
-        self.assertEqual(self.table()["plain"]["exit_status"], "0")
+        self.assertIn("stale: plain: what is there is of other parameters",
+                      process.stderr)
+        row = self.table()["plain"]
+        self.assertEqual((row["state"], row["exit_status"], row["peak_force_N"]),
+                         ("stale", "", ""))
         self.assertEqual(self.started(), ["plain"])
-
-    def test_runs_that_were_started_by_hand(self):
-        commands = self.sweep(FILE, "--list").stdout.splitlines()
-        subprocess.check_call(shlex.split(commands[2]), stdout=subprocess.DEVNULL)
-        self.sweep(FILE, "--table-only")
-        self.assertEqual(self.table()["plain"]["exit_status"], "0")
 
     def started_and_waiting(self):
         """A sweep of two runs, the first of which waits for SIGUSR1."""
         synthetic_run.write(self.path("a.sweep"), "base = base.prm\n"
-                            "a = --set Model/Wait=1\nb = --set Model/Wait=1\n")
+                            "common = --set Model/Wait=1\n"
+                            "a = --set A/B=1\nb = --set A/B=2\n")
         process = subprocess.Popen(
             [sys.executable, "-B", SWEEP, self.path("a.sweep"), "--output",
-             self.output, "--program", PROGRAM, "--mpirun", ""],
+             self.output, "--program", self.program, "--mpirun", ""],
             stdout=subprocess.PIPE, stderr=subprocess.PIPE, universal_newlines=True)
         deadline = time.time() + 60.
         waits = self.path("out", "a", "waits.txt")
@@ -262,19 +349,19 @@ class Runs(Case):
             self.assertEqual(self.started(), ["a"])
             # in order, and not killed
             self.assertEqual(self.table()["a"]["exit_status"], "5")
-            shutil.rmtree(self.output)
+            self.remove(self.output)
 
     def test_one_sweep_at_a_time(self):
         first = self.started_and_waiting()
-        before = self.text("out", "started.txt")
+        before = self.text("out", "cases", "events.txt")
         for arguments in ((), ("--again", "--only", "b")):
             process = called(SWEEP, self.path("a.sweep"), "--output", self.output,
-                             "--program", PROGRAM, "--mpirun", "", *arguments)
+                             "--program", self.program, "--mpirun", "", *arguments)
             self.assertEqual(process.returncode, 2)
             self.assertRegex(process.stderr, r"is in use by process %d on host \S+ "
                              r"since 20" % first.pid)
             self.assertEqual(process.stderr.count("\n"), 1, process.stderr)
-        self.assertEqual(self.text("out", "started.txt"), before)
+        self.assertEqual(self.text("out", "cases", "events.txt"), before)
         # to look at what there is does no harm
         self.sweep(FILE, "--table-only")
         first.kill()
@@ -285,17 +372,22 @@ class Runs(Case):
         self.assertFalse(os.path.exists(self.path("out", ".lock")))
 
     def test_a_run_that_goes_on_is_left_alone(self):
-        os.makedirs(self.path("out", "plain"))
-        synthetic_run.write(self.path("out", "plain", "screen.txt"), "at work\n")
-        with open(self.path("out", "plain", ".lock"), "w") as stream:
-            fcntl.flock(stream, fcntl.LOCK_EX)
-            stream.write("host here\nprocess 7\nsince today\n")
-            stream.flush()
-            process = self.sweep(FILE, status=1)
-            self.assertIn("is in use by process 7 on host here since today",
-                          process.stdout)
-        self.assertIn("failed: plain", process.stderr)
-        self.assertEqual(self.text("out", "plain", "screen.txt"), "at work\n")
+        line = self.sweep(FILE, "--list").stdout.splitlines()[2]
+        case = shlex.split(line)[3]
+        # by the lock of the program, and by that of a task that has begun it
+        for lock in (os.path.join(case, ".lock"), case + ".lock"):
+            os.makedirs(case, exist_ok=True)
+            with open(lock, "w") as stream:
+                fcntl.flock(stream, fcntl.LOCK_EX)
+                stream.write("host here\nprocess 7\nsince today\n")
+                stream.flush()
+                process = self.sweep(FILE, status=1)
+                self.assertEqual(self.table()["plain"]["state"], "running")
+                self.assertIn("is in use by process 7 on host here since today",
+                              process.stdout)
+            self.assertIn("failed: plain", process.stderr)
+            self.assertEqual(os.listdir(case) in ([".lock"], []), True)
+            self.remove(case)
         self.assertEqual(self.started(), ["first_1", "first_2"])
 
 
@@ -392,7 +484,7 @@ class Studies(Case):
                            ("name,displacement_mm,force_N_per_mm\na,1\n", "r.csv:2:"),
                            ("name,displacement_mm,force_N_per_mm\na,1,x\n", "r.csv:2:"),
                            ("name,displacement_mm,force_N_per_mm\na,1,2\na,1,2\n",
-                            "given twice"), ("", "expected a header")):
+                            "different displacements"), ("", "expected a header")):
             synthetic_run.write(self.path("r.csv"), text)
             process = self.study("compare", self.path("r.csv"), status=2)
             self.assertIn(word, process.stderr)
@@ -498,7 +590,7 @@ class Studies(Case):
         self.assertEqual((min(numbers), max(numbers)), (-1., 1.), numbers)
 
     def test_nothing_to_draw(self):
-        shutil.rmtree(self.output)
+        self.remove(self.output)
         self.assertIn("there is no directory", self.study(
             "curves", "--output", self.path("c.svg"), status=2).stderr)
         os.mkdir(self.output)

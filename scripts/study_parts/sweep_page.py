@@ -1,0 +1,179 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""The page of a sweep, OUTPUT/report.html: state and results of each case, all curves
+in one figure, all cracks. Whole at any time, also while the sweep goes on, when a
+browser loads it anew every half minute."""
+import collections
+import datetime
+import os
+import urllib.parse
+
+from report_parts import curves, page
+from sweep_parts import cases, collect, progress, studies, study_cracks, study_curves
+
+REFRESH = "<meta http-equiv=\"refresh\" content=\"%d\">\n"
+SECONDS = 30
+MOST = 48  # curves, and cracks, in one figure
+FOLDER = "pages"
+# of the results, in the table; all of them are in sweep.csv
+SHOWN = (("outcome", "outcome"), ("start", "start"),
+         ("peak_force_N", "peak, N"), ("displacement_at_peak_mm", "at, mm"),
+         ("steps", "steps"), ("wall_time_s", "s"))
+OTHERS = (("sweep.csv", "table"), ("comparison.md", "comparison"),
+          ("bisect.csv", "brackets"), ("uncertainty.md", "uncertainty"))
+
+
+def shown(value):
+    if value is None:
+        return ""
+    if isinstance(value, float):
+        return "%.4g" % value
+    return str(value)
+
+
+def link(text, *names):
+    return "<a href=\"%s\">%s</a>" % (
+        page.escaped(urllib.parse.quote("/".join(names))), page.escaped(text))
+
+
+def path_of_page(study, case):
+    return os.path.join(study.output, FOLDER, case.name + ".html")
+
+
+def name_cell(study, case):
+    """The name: leads to the page of the case, or to its directory."""
+    if os.path.isfile(path_of_page(study, case)):
+        return link(case.name, FOLDER, case.name + ".html")
+    if os.path.isdir(case.directory):
+        return link(case.name, os.path.relpath(case.directory, study.output))
+    return page.escaped(case.name)
+
+
+def state_cell(case, row):
+    """State and why; of a run that goes on how far it is."""
+    words, state = row["reason"], row["state"]
+    if state == "running":
+        share = progress.share_done(case.directory)
+        words = "" if share is None else "%.0f %% of the load" % (100. * share)
+    return "<span class=\"state %s\">%s</span> %s" % (state, state,
+                                                      page.escaped(words or ""))
+
+
+def table_of(study, chosen, rows):
+    swept = list(collect.swept_titles(chosen).values())
+    head = ["case", "state"] + swept + [title for _, title in SHOWN] \
+        + ["case id", "revision"]
+    text = "<tr>%s</tr>" % "".join("<th>%s</th>" % page.escaped(t) for t in head)
+    for case, row in zip(chosen, rows):
+        cells = [name_cell(study, case), state_cell(case, row)]
+        cells += [page.escaped(shown(row.get(column))) for column in swept]
+        cells += [page.escaped(shown(row.get(column))) for column, _ in SHOWN]
+        cells += [page.escaped(row["case_id"][:12]),
+                  page.escaped(shown(row.get("revision")))]
+        text += "<tr>%s</tr>" % "".join("<td>%s</td>" % cell for cell in cells)
+    return "<div class=\"wide\"><table class=\"sweep\">%s</table></div>" % text
+
+
+def others_of(study):
+    """Links to what other commands have written."""
+    found = [link(text, name) for name, text in OTHERS
+             if os.path.isfile(os.path.join(study.output, name))]
+    for name in ("uncertainty.svg", "comparison"):
+        if os.path.exists(os.path.join(study.output, name)):
+            found.append(link(name, name))
+    return "<p class=\"note\">%s</p>" % " · ".join(found) if found else ""
+
+
+def runs_of(chosen):
+    """[StudyRun] of the cases that have rows, at most MOST, and how many are left
+    out."""
+    there = [case for case in chosen
+             if os.path.isfile(case.path("statistics.csv"))]
+    return [studies.StudyRun(case.name, case.directory) for case in there[:MOST]], \
+        max(0, len(there) - MOST)
+
+
+def left_out(number):
+    return "" if not number else "<p class=\"note\">%d more are left out; --only chooses " \
+        "others.</p>" % number
+
+
+def curve_part(runs, n_more):
+    if not any(run.has_curve for run in runs):
+        return page.section("Force and displacement",
+                            "<p class=\"note\">No case has a force yet.</p>")
+    drawing = curves.svg_of(study_curves.draw(runs, "", False, []), "curves")
+    return page.section("Force and displacement", drawing + left_out(n_more))
+
+
+def crack_part(runs, n_more):
+    if not any(study_cracks.fields_at_end(run)[0] is not None for run in runs):
+        return page.section("Cracks", "<p class=\"note\">No case has fields yet.</p>")
+    png = study_cracks.png_of(runs, 5, "")
+    return page.section("Cracks", page.figures_of([(png, "", "100%")])
+                        + left_out(n_more), "long")
+
+
+def counts_of(rows):
+    counts = collections.Counter(row["state"] for row in rows)
+    return ", ".join("%d %s" % (counts[state], state)
+                     for state in reversed(cases.STATES) if counts[state])
+
+
+def is_over(rows):
+    return all(row["state"] in ("complete", "failed") for row in rows)
+
+
+def foot(study):
+    return "<footer>%s, revision %s. Page made on %s from %s.</footer>" % (
+        page.escaped(os.path.basename(study.program.path)),
+        page.escaped(study.program.revision),
+        datetime.datetime.now().strftime("%d %B %Y, %H:%M:%S"),
+        page.escaped(study.output))
+
+
+def written(study, chosen):
+    """(the page as text, whether nothing more is to come)."""
+    rows, remarks = collect.rows_of(chosen), []
+    title = os.path.splitext(os.path.basename(study.sweep.path))[0]
+    runs, n_more = runs_of(chosen)
+    middle = page.guarded(remarks, "The curves", curve_part, runs, n_more) \
+        + page.guarded(remarks, "The cracks", crack_part, runs, n_more)
+    mixture = collect.mixture_of(rows)
+    remarks += [mixture] if mixture else []
+    body = "<header><p class=\"kind\">Sweep</p><h1>%s</h1><p>%d cases: %s</p></header>" \
+        % (page.escaped(title), len(rows), page.escaped(counts_of(rows)))
+    if remarks:
+        body += "<aside><h2>Please note</h2><ul>%s</ul></aside>\n" % "".join(
+            "<li>%s</li>" % page.escaped(remark) for remark in remarks)
+    body += page.section("Cases", table_of(study, chosen, rows) + others_of(study),
+                         "long") + middle + foot(study)
+    text = page.in_frame(title, body)
+    if not is_over(rows):
+        text = text.replace("<head>\n", "<head>\n" + REFRESH % SECONDS, 1)
+    return text, is_over(rows)
+
+
+def write_pages(study, chosen):
+    """A page for each case with rows that is newer than its page."""
+    os.makedirs(os.path.join(study.output, FOLDER), exist_ok=True)
+    for case in chosen:
+        rows, target = case.path("statistics.csv"), path_of_page(study, case)
+        if not os.path.isfile(rows) or (
+                os.path.isfile(target)
+                and os.path.getmtime(target) > os.path.getmtime(rows)
+                and os.path.getmtime(target) > newest_summary(case)):
+            continue
+        replace(target, page.written(case.directory))
+
+
+def newest_summary(case):
+    path = case.path("summary.json")
+    return os.path.getmtime(path) if os.path.isfile(path) else 0.
+
+
+def replace(path, text):
+    """The old file stays until the new one is whole."""
+    new = "%s.%d" % (path, os.getpid())
+    with open(new, "w", encoding="utf-8", errors="replace") as stream:
+        stream.write(text)
+    os.replace(new, path)

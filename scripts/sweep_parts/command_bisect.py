@@ -1,0 +1,91 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""sweep.py bisect: where an answer changes between two values of an entry.
+
+    sweep.py bisect FILE --vary "Geometry/Punctured strip/Notch height" 6 10 \\
+        --on outcome --to 0.1
+
+FILE is a sweep file, each of whose runs is bisected, or a .prm file. The cases are a
+sweep of their own, OUTPUT/bisect.sweep, which all commands work on. OUTPUT/bisect.csv
+has the brackets with the cases that carry them."""
+import os
+
+from study_parts import bisection, critical, derived, here
+from study_parts.errors import StudyError
+
+from . import sweep_file
+from .program import Program
+
+HELP = "the value of an entry at which an answer changes, by bisection"
+OPENS_ITSELF = True
+
+
+def add_options(parser):
+    here.add_options(parser)
+    parser.add_argument("--vary", nargs=3, metavar=("ENTRY", "LOW", "HIGH"),
+                        required=True, help="what is varied, and its range")
+    parser.add_argument("--on", required=True, metavar="QUESTION",
+                        help="keys of summary.json whose change is looked for, as "
+                        "outcome or outcome,outcome_start, or a bound, as "
+                        "'peak_force_N > 160'")
+    parser.add_argument("--to", type=float, required=True, metavar="WIDTH",
+                        help="of the bracket, in the unit of the entry")
+    parser.add_argument("--variations", action="store_true",
+                        help="the same with each change of 'uncertainty', one at a "
+                        "time: how sure the value is")
+    parser.add_argument("--parameters", nargs="+", default=[], metavar="ENTRY",
+                        help="with --variations: these by 10 %% up and down as well")
+    parser.add_argument("--figure", metavar="FILE",
+                        help="a drawing of all answers, .svg or .png")
+
+
+def range_of(words):
+    entry = sweep_file.entry_of(words[0])
+    try:
+        low, high = float(words[1]), float(words[2])
+    except ValueError:
+        raise StudyError("--vary: expected \"Subsection/Entry\" and two numbers, found "
+                         "'%s'" % " ".join(words))
+    if "/" not in entry or not low < high:
+        raise StudyError("--vary: expected \"Subsection/Entry\", a smaller and a larger "
+                         "number, found '%s'" % " ".join(words))
+    return entry, low, high
+
+
+def run(arguments, _):
+    question = bisection.Question(arguments.on)
+    entry, low, high = range_of(arguments.vary)
+    if not arguments.to > 0.:
+        raise StudyError("--to: expected a width above 0, found %g" % arguments.to)
+    if arguments.figure:
+        from study_parts import drawing
+        drawing.require(arguments.figure, "--figure")
+    source = derived.Source(arguments.file, arguments.only, arguments.extra)
+    output = os.path.abspath(arguments.output or os.path.join(
+        "results", source.stem + "_bisect"))
+    program = Program(arguments.program)
+    runs = here.runs_of(arguments, program)
+    wanted = source.runs
+    if arguments.variations:
+        from study_parts import spread
+        wanted = spread.runs_of(source, program, arguments.parameters)
+    found = critical.Critical(entry, low, high, arguments.to, question, wanted)
+    study = critical.solve(found, source, output, program,
+                           runs, arguments.jobs)
+    for line in critical.report(found, study):
+        print(line)
+    write_files(found, study, output, arguments)
+    return 0
+
+
+def write_files(found, study, output, arguments):
+    path = os.path.join(output, "bisect.csv")
+    with open(path, "w", encoding="utf-8") as stream:
+        stream.write(critical.table(found, study))
+    print(path)
+    if arguments.variations:
+        from study_parts import spread
+        print(spread.report(found), end="")
+    if arguments.figure:
+        from study_parts import critical_figure
+        critical_figure.write(found, arguments.figure)
+        print(arguments.figure)

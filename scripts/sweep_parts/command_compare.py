@@ -1,0 +1,99 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""sweep.py compare: the cases of a sweep beside an experiment or published figures.
+
+    sweep.py compare FILE --reference parameters/epdm/experiments.csv
+    sweep.py compare results/strips --reference a.csv path.csv --tolerance peak=10%
+
+FILE is a sweep file, or a directory with the runs of one. How references are written
+stands at the head of scripts/study_parts/references.py: peaks, curves and paths, with
+the scatter of tests. A reference belongs to the run of its name, or to all whose last
+word it is (12: soft_12, hard_12), or without a name to all.
+
+Writes OUTPUT/comparison.md and .csv and a figure for each case, OUTPUT/comparison/NAME.
+Exit status: 0; 1 when a tolerance is not met or a case is missing that has one."""
+import os
+import sys
+
+from study_parts import drawing
+from study_parts.errors import StudyError
+
+HELP = "compare peaks, curves and paths with references; what lies within the scatter"
+OPENS_ITSELF = True
+
+
+def add_options(parser):
+    parser.add_argument("--reference", nargs="+", required=True, metavar="CSV",
+                        help="peaks, curves and digitised paths")
+    parser.add_argument("--deviations", type=float, default=1., metavar="K",
+                        help="standard deviations to each side of a mean that are "
+                        "within the scatter (1)")
+    parser.add_argument("--tolerance", nargs="+", default=[], metavar="NAME=LIMIT",
+                        help="peak, displacement, curve, area as 5%%, path, hausdorff "
+                        "in mm, scatter: how many figures may lie outside; decides on "
+                        "the exit status")
+    parser.add_argument("--figures", metavar="DIR",
+                        help="figures of the cases (OUTPUT/comparison); '' for none")
+    parser.add_argument("--format", choices=("svg", "png"), default="svg",
+                        help="of the figures (svg)")
+
+
+def run(arguments, _):
+    if not arguments.deviations > 0.:
+        raise StudyError("--deviations: expected a number above 0, found %g"
+                         % arguments.deviations)
+    drawing.require()
+    from study_parts import comparison, comparison_text
+    tolerances = comparison.read_tolerances(arguments.tolerance)
+    runs, missing, output = runs_of(arguments)
+    found, known = comparison.compared(runs, arguments.reference, arguments.deviations)
+    missed = comparison.judged(found, tolerances)
+    missed += missing_ones(missing, known) if tolerances else []
+    text = comparison_text.markdown(found, known, missed)
+    write(os.path.join(output, "comparison.md"), text)
+    write(os.path.join(output, "comparison.csv"), comparison_text.table(found, known))
+    sys.stdout.write(text)
+    folder = os.path.join(output, "comparison") if arguments.figures is None \
+        else arguments.figures
+    if folder:
+        draw(found, known, folder, arguments.format)
+    print(os.path.join(output, "comparison.md"))
+    return 1 if missed else 0
+
+
+def runs_of(arguments):
+    """([StudyRun], names of cases without results, directory to write to)."""
+    from . import studies
+    if os.path.isdir(arguments.file):
+        runs = studies.runs_of(arguments.file, arguments.only)
+        return runs, [], arguments.output or arguments.file
+    from . import study
+    opened = study.Study(arguments.file, arguments.output, arguments.program,
+                         arguments.extra)
+    chosen = opened.chosen(arguments.only)
+    there = [case for case in chosen if os.path.isfile(case.path("statistics.csv"))]
+    missing = [case.name for case in chosen if case not in there]
+    for name in missing:
+        print("%s: there is nothing to compare yet" % name, file=sys.stderr)
+    if not there:
+        raise StudyError("no case of %s has been run yet" % arguments.file)
+    return ([studies.StudyRun(case.name, case.directory) for case in there], missing,
+            opened.output)
+
+
+def missing_ones(names, known):
+    return ["%s has not been run" % name for name in names if known.used_by(name)]
+
+
+def write(path, text):
+    with open(path + ".new", "w", encoding="utf-8") as stream:
+        stream.write(text)
+    os.replace(path + ".new", path)
+
+
+def draw(found, known, folder, suffix):
+    from study_parts import comparison_figure
+    os.makedirs(folder, exist_ok=True)
+    for entry in found:
+        if entry.has_reference:
+            drawing.drawn(os.path.join(folder, "%s.%s" % (entry.run.name, suffix)),
+                          comparison_figure.draw, entry, known)

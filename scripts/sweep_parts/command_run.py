@@ -1,0 +1,100 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""sweep.py run: what is missing, on this machine."""
+import os
+import signal
+import sys
+
+from . import collect, resources, runner
+from .progress import Progress
+from .resources import positive
+
+HELP = "run what is missing here, several at a time, and write the table"
+
+
+def add_options(parser):
+    resources.add_options(parser, ("ranks", "launcher"))
+    parser.add_argument("--jobs", type=positive, default=1, metavar="J",
+                        help="runs at a time (1)")
+    parser.add_argument("--mpirun", metavar="COMMAND", dest="launcher",
+                        help="the same as --launcher (mpirun)")
+    parser.add_argument("--list", action="store_true",
+                        help="print one line with the command of each run")
+    parser.add_argument("--table-only", action="store_true",
+                        help="run nothing, write the table of what there is")
+    parser.add_argument("--again", action="store_true",
+                        help="repeat runs that are complete as well; what was there is "
+                             "kept beside it")
+
+
+def run(arguments, study):
+    chosen = study.chosen(arguments.only)
+    if arguments.table_only:
+        os.makedirs(study.output, exist_ok=True)
+        return write_table(study, chosen, {}, True)
+    given = resources.resources_of(arguments)
+    words = "mpirun" if given["launcher"] is None else given["launcher"]
+    launcher = words.split() if arguments.list else resources.launcher_words(words)
+    launch = runner.Launch(study.program, launcher, given["ranks"])
+    if arguments.list:
+        signal.signal(signal.SIGPIPE, signal.SIG_DFL)  # as in "--list | head -1"
+        for case in chosen:
+            print(runner.shlex_joined(launch.command(case, case.has_checkpoint())))
+        return 0
+    held = study.claim()
+    if held.warning:
+        print("sweep.py: warning: %s" % held.warning, file=sys.stderr)
+    try:
+        statuses, whole = run_those_left(chosen, launch, arguments)
+        return write_table(study, chosen, statuses, whole)
+    finally:
+        held.release()
+
+
+def run_those_left(chosen, launch, arguments):
+    """({name: exit status} of what was run, whether that is all of it)."""
+    if arguments.again:
+        for case in {case.id: case for case in chosen}.values():
+            case.move_aside()
+    left = missing_of(chosen)
+    n_complete = sum(case.is_complete() for case in chosen)
+    if n_complete:
+        print("%d of %d runs are complete already" % (n_complete, len(chosen)),
+              flush=True)
+    workers = runner.Runner(launch, arguments.jobs)
+    workers.listen()
+    progress = Progress(len(left), arguments.jobs)
+    statuses = workers.all(left, progress.done, progress.begin)
+    progress.end()
+    for case in chosen:  # names of a case that another name has brought
+        if case.record():
+            case.make_link()
+    if workers.stopped:
+        print("stopped; %d runs were not started" % (len(left) - progress.n_done))
+    return statuses, not workers.stopped
+
+
+def missing_of(chosen):
+    """The cases that are not complete, each id once."""
+    left = {}
+    for case in chosen:
+        if not case.is_complete():
+            left.setdefault(case.id, case)
+    return list(left.values())
+
+
+def write_table(study, chosen, statuses, whole):
+    """Of the whole file, also when only some have been run; the exit status."""
+    rows = collect.rows_of(list(study.cases.values()))
+    print(collect.write(study, rows))
+    names = [case.name for case in chosen]
+    for row in rows:
+        if row["name"] in names and row["state"] == "stale":
+            print("stale: %s: %s" % (row["name"], row["reason"]), file=sys.stderr)
+    mixture = collect.mixture_of(rows)
+    if mixture:
+        print("warning: " + mixture, file=sys.stderr)
+    failed = [row["name"] for row in rows if row["name"] in names
+              and (row["state"] == "failed" or statuses.get(row["name"]))]
+    if failed:
+        print("failed: " + ", ".join(failed), file=sys.stderr)
+    return 1 if failed or not whole else 0

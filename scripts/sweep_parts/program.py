@@ -1,0 +1,113 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""The program that a sweep runs: where it is, which revision, and what it says of
+the identity of a case."""
+import hashlib
+import os
+import re
+import shutil
+import subprocess
+
+from .errors import SweepError
+
+# One thread per rank; no binding, for several runs share the cores. Open MPI
+# refuses root, the usual user of a container, unless told.
+ENVIRONMENT = {"OMPI_ALLOW_RUN_AS_ROOT": "1", "OMPI_ALLOW_RUN_AS_ROOT_CONFIRM": "1",
+               "OMPI_MCA_rmaps_base_oversubscribe": "1",
+               "OMPI_MCA_hwloc_base_binding_policy": "none",
+               "OMPI_MCA_btl_vader_single_copy_mechanism": "none",
+               "OMP_NUM_THREADS": "1", "OPENBLAS_NUM_THREADS": "1",
+               "DEAL_II_NUM_THREADS": "1"}
+ID = re.compile(r"[0-9a-f]{8,128}$")
+# of a process that is no step of the job it is started in
+OF_A_QUEUE = ("SLURM_", "PMI", "PBS_", "SGE_", "OMPI_COMM_WORLD")
+
+
+def environment():
+    """For a run; what the user has set counts."""
+    return dict(ENVIRONMENT, **os.environ)
+
+
+def found():
+    """The program of this source tree, beside this installation, or on the PATH."""
+    scripts = os.path.dirname(os.path.dirname(os.path.realpath(__file__)))
+    for path in (os.path.join(scripts, os.pardir, "build", "mixed-cracks"),
+                 os.path.join(scripts, os.pardir, os.pardir, os.pardir, "bin",
+                              "mixed-cracks")):
+        if os.access(path, os.X_OK):
+            return os.path.normpath(path)
+    return shutil.which("mixed-cracks")
+
+
+class Program:
+    """path: absolute; None looks for it. Raises SweepError."""
+
+    def __init__(self, path=None):
+        if path is None:
+            path = found()
+            if path is None:
+                raise SweepError("mixed-cracks is neither in build/ nor on the PATH; "
+                                 "name it with --program")
+        elif os.sep not in path:
+            path = shutil.which(path) or path
+        self.path = os.path.abspath(path)
+        if not os.path.isfile(self.path) or not os.access(self.path, os.X_OK):
+            raise SweepError("--program: '%s' cannot be run" % self.path)
+        self.known = {}
+
+    def said(self, *words):
+        """(exit status, what it says on stdout, on stderr)."""
+        surroundings = {name: value for name, value in environment().items()
+                        if not name.startswith(OF_A_QUEUE)}
+        try:
+            process = subprocess.run([self.path, *words], stdin=subprocess.DEVNULL,
+                                     stdout=subprocess.PIPE, stderr=subprocess.PIPE,
+                                     env=surroundings, check=False)
+        except OSError as error:
+            raise SweepError("'%s' cannot be run: %s" % (self.path, error))
+        return (process.returncode, process.stdout.decode("utf-8", "replace"),
+                process.stderr.decode("utf-8", "replace"))
+
+    def expect(self, checksum, revision):
+        """Spares asking for the revision of a file of this checksum."""
+        if self.checksum == checksum:
+            self.known["revision"] = revision
+
+    @property
+    def revision(self):
+        if "revision" not in self.known:
+            match = re.search(r"revision ([^\s()]+)", self.said("--version")[1])
+            self.known["revision"] = match.group(1) if match else "unknown"
+        return self.known["revision"]
+
+    @property
+    def checksum(self):
+        """SHA-256 of the file."""
+        if "checksum" not in self.known:
+            digest = hashlib.sha256()
+            with open(self.path, "rb") as stream:
+                for part in iter(lambda: stream.read(1 << 20), b""):
+                    digest.update(part)
+            self.known["checksum"] = digest.hexdigest()
+        return self.known["checksum"]
+
+    def case_id(self, base, options):
+        """What a case is, as `mixed-cracks --case-id` says: the same for the same
+        parameters and files read, whatever they are written like. Raises SweepError
+        with the message of the program for wrong input."""
+        return self.id_from(base, options, "--case-id")
+
+    def full_id(self, base, options):
+        """The same where entries count that may change when a run goes on."""
+        return self.id_from(base, options, "--case-id=full")
+
+    def id_from(self, base, options, question):
+        status, output, errors = self.said(base, *options, question)
+        lines = output.split("\n")
+        if status == 0 and len(lines) == 2 and ID.match(lines[0]):
+            return lines[0]
+        said = [line for line in (errors + output).splitlines() if "error" in line]
+        words = (said or (errors + output).split("\n"))[0].strip()
+        if status == 0 or "--case-id" in words:
+            raise SweepError("'%s' has no --case-id: it is older than this script (it "
+                             "said '%s')" % (self.path, words))
+        raise SweepError("%s is refused: %s" % (base, words))
