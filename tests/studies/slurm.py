@@ -175,6 +175,11 @@ class Cluster:
         if "drain" in self.said("sinfo", "-h", "-o", "%T"):
             self.said("scontrol", "update", "nodename=ALL", "state=resume")
 
+    def compare_notes(self):
+        """Makes controller and node tell each other which jobs there are: one that was
+        killed before it had saved the end of a job believes for long that it runs."""
+        self.said("scontrol", "reconfigure")
+
     def wait_for_end(self, name):
         deadline = time.monotonic() + WAIT
         while self.process(name) and time.monotonic() < deadline:
@@ -186,3 +191,15 @@ class Cluster:
             if number:
                 os.kill(number, signal.SIGTERM)
                 self.wait_for_end(name)
+        self.end_the_rest()
+
+    def end_the_rest(self):
+        """Keepers of jobs that still try to reach the controller."""
+        mark = ("SLURM_CONF=%s\0" % (self.folder / "slurm.conf")).encode()
+        for process in pathlib.Path("/proc").glob("[0-9]*"):
+            try:
+                if (process / "comm").read_text().strip() == "slurmstepd" \
+                        and mark in (process / "environ").read_bytes():
+                    os.kill(int(process.name), signal.SIGKILL)
+            except OSError:
+                continue

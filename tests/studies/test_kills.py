@@ -142,10 +142,14 @@ def until_complete(cluster, sweep, disturber, kills):
             return number
         if "nothing to submit" in said:  # a program that has outlived its starter
             time.sleep(2.)
+        compared = time.monotonic()
         while waiting_or_running(cluster.queue()):
             if left and disturber.disturb():
                 left -= 1
             cluster.resume_node()
+            if not left and time.monotonic() > compared + 20.:
+                compared = time.monotonic()
+                cluster.compare_notes()
             time.sleep(disturber.dice.uniform(0.2, 2.) if left else 0.5)
     raise AssertionError("not complete after %d submissions" % ROUNDS)
 
