@@ -15,6 +15,7 @@
 #include <output/disk.h>
 #include <output/run_lock.h>
 
+#include <simulation/case_identity.h>
 #include <simulation/simulation.h>
 
 #include <Trilinos_version.h>
@@ -89,6 +90,17 @@ namespace
       std::cout << out.str();
     require_written_output();
     return true;
+  }
+
+
+
+  int
+  print_case_id(const std::string &id)
+  {
+    if (on_first_rank())
+      std::cout << id << '\n';
+    require_written_output();
+    return 0;
   }
 
 
@@ -182,6 +194,8 @@ namespace
       prm.leave_subsection();
     }
     parameters.check();
+    if (command.case_id)
+      return print_case_id(case_identity(parameters, prm, *command.case_id));
     std::ostringstream effective;
     print_parameters(effective, prm, "prm");
 

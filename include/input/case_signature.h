@@ -26,6 +26,16 @@ namespace MixedCracks
   CaseSignature case_signature(const dealii::ParameterHandler &prm,
                                MPI_Comm communicator = MPI_COMM_WORLD);
 
+  /// What stands for a file where it counts by what it holds: size and
+  /// checksum, as the first rank finds them; "" for no name. Collective.
+  std::string description_of_file(const std::string &path,
+                                  MPI_Comm           communicator);
+
+  /// Whether an entry, or "contents of" one, belongs to a geometry that is not
+  /// the one with this name.
+  bool is_of_other_geometry(const std::string &name,
+                            const std::string &geometry);
+
   /// Throws InputError with the first difference when @p now is not the
   /// problem that @p before is of. Values are compared by what they mean, and
   /// geometries that are not chosen are left out. @p failure: the message of

@@ -15,6 +15,7 @@ namespace MixedCracks
     std::vector<std::string>   set;        ///< "Subsection/.../Entry=value"
     std::optional<std::string> output;     ///< instead of Output/Directory
     std::optional<std::string> parameters; ///< print them in this format
+    std::optional<std::string> case_id;    ///< print the one of this scope
     bool                       check     = false;
     bool                       resume    = false;
     bool                       overwrite = false;

@@ -49,11 +49,6 @@ namespace MixedCracks
 
   /// The whole file; empty when it cannot be read.
   std::string contents_of_file(const std::string &path);
-
-  /// A checksum (FNV-1a, 64 bits) of bytes, or of a file's contents; that of
-  /// nothing when the file cannot be read.
-  std::uint64_t checksum(const char *begin, const char *end);
-  std::uint64_t file_checksum(const std::string &path);
 } // namespace MixedCracks
 
 #endif

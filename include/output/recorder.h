@@ -11,6 +11,7 @@
 #include <output/crack_opening.h>
 #include <output/crack_opening_file.h>
 #include <output/crack_path_writer.h>
+#include <output/event_table.h>
 #include <output/field_output.h>
 #include <output/measurement.h>
 #include <output/parameters.h>
@@ -30,6 +31,7 @@ namespace MixedCracks
     const OutputParameters                 &output;
     const CrackOpeningParameters<dim>      &crack_opening;
     const PointDisplacementParameters<dim> &points;
+    const EventParameters                  &events;
     double                                  thickness; ///< mm; 1 in 3-d
     /// see BoundaryQuantities
     std::optional<dealii::types::boundary_id> force_boundary;
@@ -90,10 +92,13 @@ namespace MixedCracks
       return slit_watch.watch(state);
     }
 
-    void add_cracks(const std::vector<Crack> &paths);
+    /// Of the last step. @p state: where they were traced. Returns what has
+    /// come to pass, in lines for the log, on rank 0.
+    std::vector<std::string> add_cracks(const TracedCracks &cracks,
+                                        const State        &state);
 
-    /// Those of the last step, when it is their turn or the run @p ends with
-    /// it; those of the peak when the force has fallen.
+    /// Those of the last step, when it is their turn, an event has come in it
+    /// or the run @p ends with it; those of the peak when the force has fallen.
     void write_fields_when_due(const State &state, bool ends);
 
     /// Those of the peak and of the last step, unless they are there.
@@ -164,6 +169,7 @@ namespace MixedCracks
 
     BoundaryQuantities<dim> boundary_quantities;
     CrackPathWriter<dim>    crack_path_writer;
+    EventTable              event_table;
     CrackOpening<dim>       crack_opening;
     CrackOpeningFile<dim>   crack_opening_file;
     PointDisplacements<dim> point_displacements;

@@ -3,6 +3,7 @@
 #define mixed_cracks_simulation_parameters_h
 
 #include <output/crack_opening_parameters.h>
+#include <output/event_parameters.h>
 #include <output/parameters.h>
 #include <output/point_displacement_parameters.h>
 
@@ -39,6 +40,7 @@ namespace MixedCracks
 
     CrackOpeningParameters<dim>      crack_opening;
     PointDisplacementParameters<dim> point_displacements;
+    EventParameters                  events;
 
     Parameters()                              = default;
     Parameters(const Parameters &)            = delete;

@@ -12,6 +12,7 @@
 // that is not finite at a later time, may be mended: only the entry that the
 // message names.
 
+#include <base/checksum.h>
 #include <base/errors.h>
 #include <base/names.h>
 #include <base/text.h>
@@ -22,7 +23,6 @@
 #include <input/parameter_tree.h>
 
 #include <filesystem>
-#include <fstream>
 #include <map>
 #include <sstream>
 
@@ -30,29 +30,6 @@ namespace MixedCracks
 {
   namespace
   {
-    // FNV-1a, 64 bits, and the size; of the file as the first rank sees it.
-    // What is no file, and might never end, is refused by who needs it.
-    std::string
-    contents_of(const std::string &path, const MPI_Comm communicator)
-    {
-      std::string result;
-      if (dealii::Utilities::MPI::this_mpi_process(communicator) == 0)
-      {
-        std::error_code error;
-        std::ifstream   file;
-        if (std::filesystem::is_regular_file(path, error))
-          file.open(path, std::ios::binary);
-        unsigned long long sum = 14695981039346656037ULL, size = 0;
-        for (char byte; file.get(byte); ++size)
-          sum = (sum ^ static_cast<unsigned char>(byte)) * 1099511628211ULL;
-        result =
-          std::to_string(size) + " bytes, checksum " + std::to_string(sum);
-      }
-      return dealii::Utilities::MPI::broadcast(communicator, result);
-    }
-
-
-
     bool
     covers(const std::string &rule, const std::string &full_name)
     {
@@ -119,21 +96,6 @@ namespace MixedCracks
 
 
 
-    // of a geometry that is not chosen, or the contents of its file
-    bool
-    is_unused(const std::string &name, const std::string &geometry)
-    {
-      const auto begin = name.find("Geometry/");
-      if (begin == std::string::npos || geometry.empty() ||
-          (begin > 0 && name.compare(0, begin, "contents of ") != 0))
-        return false;
-      const std::vector<std::string> path = split_list(name.substr(begin), '/');
-      // subsections begin with a capital letter, names do not
-      return path.size() > 2 && path[1].substr(1) != geometry.substr(1);
-    }
-
-
-
     // The default of an empty Load stepping/Force boundary, as
     // Parameters::force_boundary() has it; out of the text, since checkpoints
     // hold entries as they were written, those of older versions, too.
@@ -166,8 +128,9 @@ namespace MixedCracks
       }
       const std::string geometry = value_of(values, "Geometry/Name");
       for (auto entry = values.begin(); entry != values.end();)
-        entry = is_unused(entry->first, geometry) ? values.erase(entry)
-                                                  : std::next(entry);
+        entry = is_of_other_geometry(entry->first, geometry)
+                  ? values.erase(entry)
+                  : std::next(entry);
       const auto force = values.find("Load stepping/Force boundary");
       if (force != values.end() && canonical_text(force->second).empty())
         force->second = first_moved_boundary(
@@ -307,6 +270,40 @@ namespace MixedCracks
 
 
 
+  // What is no file, and might never end, is refused by who needs it.
+  std::string
+  description_of_file(const std::string &path, const MPI_Comm communicator)
+  {
+    std::string result;
+    if (!path.empty() &&
+        dealii::Utilities::MPI::this_mpi_process(communicator) == 0)
+    {
+      std::error_code error;
+      const bool      is_file = std::filesystem::is_regular_file(path, error);
+      result =
+        std::to_string(is_file ? std::filesystem::file_size(path, error) : 0) +
+        " bytes, checksum " +
+        std::to_string(is_file ? file_checksum(path) : checksum(""));
+    }
+    return dealii::Utilities::MPI::broadcast(communicator, result);
+  }
+
+
+
+  bool
+  is_of_other_geometry(const std::string &name, const std::string &geometry)
+  {
+    const auto begin = name.find("Geometry/");
+    if (begin == std::string::npos || geometry.empty() ||
+        (begin > 0 && name.compare(0, begin, "contents of ") != 0))
+      return false;
+    const std::vector<std::string> path = split_list(name.substr(begin), '/');
+    // subsections begin with a capital letter, names do not
+    return path.size() > 2 && path[1].substr(1) != geometry.substr(1);
+  }
+
+
+
   CaseSignature
   case_signature(const dealii::ParameterHandler &prm,
                  const MPI_Comm                  communicator)
@@ -322,10 +319,9 @@ namespace MixedCracks
       const bool        is_free = rule != nullptr && may_change(*rule);
       const std::string line    = name + " = " + entry.value + '\n';
       if (!is_free && entry.name == "File name")
-        signature.problem +=
-          "contents of " + name + " = " +
-          (entry.value.empty() ? "" : contents_of(entry.value, communicator)) +
-          '\n';
+        signature.problem += "contents of " + name + " = " +
+                             description_of_file(entry.value, communicator) +
+                             '\n';
       else if (!is_free)
         signature.problem += line;
       else if (entry.path.front() != "Output")

@@ -8,6 +8,7 @@
 #include <base/names.h>
 #include <base/text.h>
 
+#include <input/case_id.h>
 #include <input/command_line.h>
 #include <input/parameter_manual.h>
 
@@ -23,6 +24,7 @@ namespace MixedCracks
       static const std::vector<std::string> names{"--set",
                                                   "--output",
                                                   "--check",
+                                                  "--case-id",
                                                   "--resume",
                                                   "--overwrite",
                                                   "--parameters",
@@ -68,6 +70,8 @@ namespace MixedCracks
 
       std::string format_of_parameters();
 
+      std::string scope_of_case_id() const;
+
       std::vector<std::string> arguments;
       std::size_t              position = 0;
       /// of "--option=value"
@@ -91,6 +95,11 @@ namespace MixedCracks
       if (name == "--parameters")
       {
         result.parameters = format_of_parameters();
+        return;
+      }
+      if (name == "--case-id")
+      {
+        result.case_id = scope_of_case_id();
         return;
       }
       if (name == "--output")
@@ -180,6 +189,21 @@ namespace MixedCracks
                          unknown_name_message(format, formats));
       return format;
     }
+
+
+
+    // A word behind it is the parameter file; another scope is attached.
+    std::string
+    Reader::scope_of_case_id() const
+    {
+      if (result.case_id)
+        throw InputError("--case-id is given twice.");
+      const std::vector<std::string> &scopes = case_id_scopes();
+      const std::string scope = attached ? *attached : scopes.front();
+      if (std::find(scopes.begin(), scopes.end(), scope) == scopes.end())
+        throw InputError("--case-id: " + unknown_name_message(scope, scopes));
+      return scope;
+    }
   } // namespace
 
 
@@ -191,6 +215,9 @@ namespace MixedCracks
     if (result.resume && result.overwrite)
       throw InputError("--resume and --overwrite exclude each other: continue "
                        "the run in the output directory, or replace it?");
+    if (result.case_id && (result.check || result.resume || result.overwrite))
+      throw InputError("--case-id only prints the id of the case; allowed with "
+                       "it are --set and --output.");
     if (result.file.empty() && !result.help && !result.version &&
         !result.parameters)
       throw InputError("command line: no parameter file.\n" + usage());
@@ -211,6 +238,10 @@ Options:
                     override an entry of the file; may be repeated
   --output DIR      write there instead of to Output/Directory
   --check           read and check everything, say what the run will need, stop
+  --case-id[=problem|full]
+                    print an id of the case, the same for the same problem
+                    however it is written, and stop; full: load steps, solvers
+                    and tolerances count too
   --resume          continue from the newest checkpoint in the output directory
   --overwrite       replace the run in the output directory
   --parameters [prm|json|markdown]

@@ -14,6 +14,7 @@
 // back by blocks of the file, and in loading. It does not see two cells
 // exchanged; the checksum of the file in record.txt does.
 
+#include <base/checksum.h>
 #include <base/errors.h>
 
 #include <deal.II/base/mpi.h>

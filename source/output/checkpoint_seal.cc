@@ -17,6 +17,7 @@
 // new quantity old checkpoints have rows without it, and are refused by number
 // rather than by a failure to parse.
 
+#include <base/checksum.h>
 #include <base/errors.h>
 
 #include <output/checkpoint_seal.h>
@@ -225,7 +226,7 @@ namespace MixedCracks
     record << '\n' << run;
     const std::string text    = record.str();
     std::string       problem = write_durably(directory + record_name, text);
-    const auto        sum = checksum(text.data(), text.data() + text.size());
+    const auto        sum     = checksum(text);
     seal << first_line() << "number " << number << "\nstep " << step
          << "\nrecord " << text.size() << ' ' << sum << '\n';
     if (problem.empty())

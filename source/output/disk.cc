@@ -10,9 +10,6 @@
 // rename() is atomic for all that look (POSIX). Without 2 the name may reach
 // the disk before the data, and the file is empty; without 4 the caller could
 // go on and remove what the old file is needed for.
-//
-// Checksum: FNV-1a of 64 bits, s <- (s xor byte) p mod 2^64 (Fowler, Noll, Vo).
-// It finds accidents, not forgery, for a multiplication per byte.
 
 #include <output/disk.h>
 
@@ -32,19 +29,6 @@ namespace MixedCracks
 {
   namespace
   {
-    constexpr std::uint64_t fnv_basis = 14695981039346656037ULL;
-    constexpr std::uint64_t fnv_prime = 1099511628211ULL;
-
-    std::uint64_t
-    continued(std::uint64_t sum, const char *begin, const char *const end)
-    {
-      for (; begin != end; ++begin)
-        sum = (sum ^ static_cast<unsigned char>(*begin)) * fnv_prime;
-      return sum;
-    }
-
-
-
     // an open file that closes itself
     class Descriptor
     {
@@ -241,26 +225,5 @@ namespace MixedCracks
     std::ostringstream all;
     all << file.rdbuf();
     return all.str();
-  }
-
-
-
-  std::uint64_t
-  checksum(const char *const begin, const char *const end)
-  {
-    return continued(fnv_basis, begin, end);
-  }
-
-
-
-  std::uint64_t
-  file_checksum(const std::string &path)
-  {
-    std::ifstream file(path, std::ios::binary);
-    std::uint64_t sum = fnv_basis;
-    char          buffer[65536];
-    while (file.read(buffer, sizeof(buffer)) || file.gcount() > 0)
-      sum = continued(sum, buffer, buffer + file.gcount());
-    return sum;
   }
 } // namespace MixedCracks

@@ -38,6 +38,9 @@ namespace MixedCracks
     , options(options)
     , boundary_quantities(fields, constraints, options.force_boundary)
     , crack_path_writer(options.output.directory, fields.communicator())
+    , event_table(options.output.directory,
+                  options.events,
+                  fields.communicator())
     , crack_opening(fields, options.crack_opening.lines())
     , crack_opening_file(options.output.directory,
                          crack_opening.lines(),
@@ -107,6 +110,7 @@ namespace MixedCracks
   Recorder<dim>::open_crack_files()
   {
     crack_path_writer.open(length_scale);
+    event_table.open();
     crack_opening_file.open();
   }
 
@@ -186,11 +190,12 @@ namespace MixedCracks
 
 
   template <int dim>
-  void
-  Recorder<dim>::add_cracks(const std::vector<Crack> &paths)
+  std::vector<std::string>
+  Recorder<dim>::add_cracks(const TracedCracks &cracks, const State &state)
   {
     crack_path_writer.add(
-      last().step(), last()["time"], last()["displacement"], paths);
+      last().step(), last()["time"], last()["displacement"], cracks.paths);
+    return event_table.add(last(), cracks, state.damage_origins);
   }
 
 
@@ -220,7 +225,8 @@ namespace MixedCracks
     if (past_peak && !field_output.has(peak_step))
       write_fields(peak, peak_step);
     const unsigned int step = last().step();
-    if (step == 0 || ends || (every > 0 && step % every == 0))
+    if (step == 0 || ends || (every > 0 && step % every == 0) ||
+        event_table.is_of_event(step))
       write_fields(state, step);
   }
 
@@ -253,6 +259,8 @@ namespace MixedCracks
     record.field_files = field_output.records();
     record.tables      = {{"crack_path.csv", crack_path_writer.rows()},
                           {"crack_opening.csv", crack_opening_file.rows()}};
+    if (!event_table.rows().empty())
+      record.tables["events.csv"] = event_table.rows();
   }
 
 
@@ -276,6 +284,7 @@ namespace MixedCracks
     slit_watch.restore(record);
     crack_path_writer.restore(length_scale, table("crack_path.csv"));
     crack_opening_file.restore(table("crack_opening.csv"));
+    event_table.restore(table("events.csv"));
     field_output.restore(record.field_files);
     // a run without fields kept nothing of its peak, and this state is another
     if (peak_step < record.rows.back().step())
@@ -305,8 +314,10 @@ namespace MixedCracks
     crack_path_writer.finish(summary.cracks);
     std::string message;
     if (Utilities::MPI::this_mpi_process(fields.communicator()) == 0)
-      message = write_summary(
-        options.output.directory + "/summary.json", summary, statistics.rows());
+      message = write_summary(options.output.directory + "/summary.json",
+                              summary,
+                              statistics.rows(),
+                              event_table.rows());
     throw_on_all_ranks(message, fields.communicator());
   }
 

@@ -14,6 +14,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <sstream>
 
 namespace MixedCracks
 {
@@ -104,6 +105,32 @@ namespace MixedCracks
       add_quantities(json, Quantity::InSummary::total, summary, rows);
       add_quantities(json, Quantity::InSummary::result, summary, rows);
     }
+    // What a table in CSV has, but for fields that are empty: an object for
+    // each row, with the names of the columns.
+    std::string
+    events_in_json(const std::string &table)
+    {
+      std::istringstream lines(table);
+      std::string        line, all;
+      std::getline(lines, line);
+      const std::vector<std::string> columns = csv_fields(line);
+      while (std::getline(lines, line))
+      {
+        const std::vector<std::string> fields = csv_fields(line);
+        std::string                    object;
+        for (std::size_t i = 0; i < std::min(columns.size(), fields.size());
+             ++i)
+          if (!fields[i].empty())
+          {
+            const bool is_text =
+              columns[i] == "event" || columns[i] == "boundary";
+            object += (object.empty() ? "" : ", ") + json_string(columns[i]) +
+                      ": " + (is_text ? json_string(fields[i]) : fields[i]);
+          }
+        all += (all.empty() ? "\n    {" : ",\n    {") + object + '}';
+      }
+      return '[' + all + ']';
+    }
   } // namespace
 
 
@@ -126,7 +153,8 @@ namespace MixedCracks
   std::string
   write_summary(const std::string                &file_name,
                 const Summary                    &summary,
-                const std::vector<StatisticsRow> &rows)
+                const std::vector<StatisticsRow> &rows,
+                const std::string                &events)
   {
     JsonObject json;
     json.add("program", std::string("mixed-cracks"));
@@ -161,6 +189,8 @@ namespace MixedCracks
     for (const auto &[name, seconds] : summary.phases)
       phases.add(name, seconds);
     json.raw("seconds_per_phase", summary.phases.empty() ? "{}" : phases.str());
+    if (!events.empty())
+      json.raw("events", events_in_json(events));
     std::string warnings;
     for (const std::string &warning : summary.warnings)
       warnings += (warnings.empty() ? "" : ", ") + json_string(warning);

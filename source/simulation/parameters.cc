@@ -29,6 +29,7 @@ namespace MixedCracks
     output.add_parameters(prm);
     crack_opening.add_parameters(prm);
     point_displacements.add_parameters(prm);
+    events.add_parameters(prm);
   }
 
 
@@ -89,6 +90,7 @@ namespace MixedCracks
     output.check();
     crack_opening.check();
     point_displacements.check();
+    events.check(dim);
 
     std::vector<std::string> prescribed;
     for (const auto &entry : boundary_conditions.displacements())

@@ -17,6 +17,7 @@ namespace MixedCracks
     RecorderOptions<dim> options{parameters.output,
                                  parameters.crack_opening,
                                  parameters.point_displacements,
+                                 parameters.events,
                                  parameters.thickness_factor(),
                                  {}};
     options.finite_strain      = parameters.model.strain.is_finite();
@@ -62,8 +63,11 @@ namespace MixedCracks
   std::vector<std::string>
   files_of_run(const Parameters<dim> &parameters)
   {
-    return MixedCracks::files_of_run(
+    std::vector<std::string> names = MixedCracks::files_of_run(
       dim, parameters.output, !parameters.crack_opening.lines().empty());
+    if (!parameters.events.kinds().empty())
+      names.insert(names.end(), {"events.csv", "events.csv.part"});
+    return names;
   }
 
 

@@ -240,7 +240,8 @@ namespace MixedCracks
       if (is_carried)
         recorder.keep_peak(state);
       const TracedCracks cracks = crack_observer.trace(state);
-      recorder.add_cracks(cracks.paths);
+      for (const std::string &event : recorder.add_cracks(cracks, state))
+        log.line(event);
       ending.is(end_after_step(row.force_size(),
                                cracks.separate_body,
                                is_carried,

@@ -53,8 +53,8 @@ class Questions(unittest.TestCase):
     def test_help_once_on_two_ranks(self):
         text = self.ask("--help", ranks=2)
         self.assertEqual(text.count("Usage: "), 1)
-        for option in ("--set", "--output", "--check", "--resume", "--overwrite",
-                       "--parameters", "--version", "--help", "Exit status"):
+        for option in ("--set", "--output", "--check", "--case-id", "--resume",
+                       "--overwrite", "--parameters", "--version", "--help", "Exit status"):
             self.assertIn(option, text)
 
     @unittest.skipUnless(os.path.exists("/dev/full"), "there is no /dev/full")

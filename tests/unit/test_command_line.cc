@@ -24,7 +24,7 @@ namespace MixedCracks
     const CommandLine line = parse({"case.prm"});
     EXPECT_EQ(line.file, "case.prm");
     EXPECT_TRUE(line.set.empty());
-    EXPECT_FALSE(line.output || line.parameters);
+    EXPECT_FALSE(line.output || line.parameters || line.case_id);
     EXPECT_FALSE(line.check || line.resume || line.overwrite || line.version ||
                  line.help);
   }
@@ -49,6 +49,8 @@ namespace MixedCracks
     EXPECT_FALSE(line.resume);
     EXPECT_EQ(*parse({"--output=dir", "a.prm"}).output, "dir");
     EXPECT_TRUE(parse({"a.prm", "--resume"}).resume);
+    EXPECT_EQ(*parse({"--case-id", "a.prm"}).case_id, "problem");
+    EXPECT_EQ(*parse({"a.prm", "--case-id=full"}).case_id, "full");
   }
 
   TEST(CommandLine, NoFileNeeded)
@@ -88,6 +90,11 @@ namespace MixedCracks
                {{"a.prm", "--check=yes"}, "takes no value"},
                {{"a.prm", "--help=1"}, "takes no value"},
                {{"a.prm", "--resume", "--overwrite"}, "exclude each other"},
+               {{"--case-id"}, "no parameter file"},
+               {{"a.prm", "--case-id=al"}, "allowed: problem, full"},
+               {{"a.prm", "--case-id", "--case-id"}, "twice"},
+               {{"a.prm", "--case-id", "--check"}, "--case-id only prints"},
+               {{"a.prm", "--resume", "--case-id"}, "--case-id only prints"},
                {{"--parameters", "xml"}, "unknown 'xml'"},
                {{"--parameters=jsno"}, "did you mean 'json'?"},
                {{"--parameters="}, "unknown ''"},
@@ -111,6 +118,7 @@ namespace MixedCracks
     for (const std::string option : {"--set",
                                      "--output",
                                      "--check",
+                                     "--case-id",
                                      "--resume",
                                      "--overwrite",
                                      "--parameters",

@@ -2,6 +2,7 @@
 #ifndef mixed_cracks_problem_geometries_slit_square_h
 #define mixed_cracks_problem_geometries_slit_square_h
 
+#include <problem/geometries/mirrored_mesh.h>
 #include <problem/geometries/plane_figure.h>
 
 namespace MixedCracks
@@ -43,11 +44,15 @@ namespace MixedCracks
     std::vector<double> own_layers() const override;
 
   private:
+    /// The lines of x and of y that the mesh must have.
+    std::array<std::vector<double>, 2> fixed_lines() const;
+
     unsigned int dim;
     double       size        = 1.;
     double       slit_height = 0.5;
     double       slit_length = 0.5;
     double       cell_size;
+    MirroredMesh mirrored;
   };
 } // namespace MixedCracks
 

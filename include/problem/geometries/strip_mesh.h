@@ -2,6 +2,7 @@
 #ifndef mixed_cracks_problem_geometries_strip_mesh_h
 #define mixed_cracks_problem_geometries_strip_mesh_h
 
+#include <problem/geometries/mirrored_mesh.h>
 #include <problem/geometries/quad_mesh.h>
 
 namespace MixedCracks
@@ -16,6 +17,7 @@ namespace MixedCracks
     double           notch_height = 12.;
     double           notch_length = 1.; ///< 0: no notch
     double           cell_size    = 1.2;
+    MirroredMesh     mirrored;
 
     bool
     has_hole() const
@@ -55,6 +57,10 @@ namespace MixedCracks
 
   /// Needs measures that PuncturedStrip::check() accepts, with a hole.
   HoleBox hole_box(const StripMeasures &measures);
+
+  /// The lines of x and of y that the mesh must have: edges, the notch, the box
+  /// around the hole with its middle where it would have one cell.
+  std::array<std::vector<double>, 2> fixed_lines(const StripMeasures &measures);
 
   /// The coarse mesh, slit opened.
   QuadMesh strip_mesh(const StripMeasures &measures);

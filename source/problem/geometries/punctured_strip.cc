@@ -76,6 +76,7 @@ namespace MixedCracks
                       "Wanted size of the cells of the coarse mesh, before "
                       "refinement; mm.",
                       Double(0.));
+    measures.mirrored.add_parameters(prm);
   }
 
 
@@ -92,6 +93,7 @@ namespace MixedCracks
       check_hole();
     if (measures.has_notch())
       check_notch();
+    measures.mirrored.check(path, fixed_lines(measures), measures.cell_size);
   }
 
 

@@ -74,6 +74,7 @@ namespace MixedCracks
                       "Wanted size of the cells of the coarse mesh, before "
                       "refinement; mm.",
                       Double(0.));
+    mirrored.add_parameters(prm);
   }
 
 
@@ -94,6 +95,15 @@ namespace MixedCracks
     };
     check_inside(slit_height, "Slit height");
     check_inside(slit_length, "Slit length");
+    mirrored.check(subsection(), fixed_lines(), cell_size);
+  }
+
+
+
+  std::array<std::vector<double>, 2>
+  SlitSquare::fixed_lines() const
+  {
+    return {{{0., slit_length, size}, {0., slit_height, size}}};
   }
 
 
@@ -118,8 +128,9 @@ namespace MixedCracks
   void
   SlitSquare::create(dealii::Triangulation<2> &plane) const
   {
-    QuadMesh mesh = tensor_mesh(grid_lines({0., slit_length, size}, cell_size),
-                                grid_lines({0., slit_height, size}, cell_size));
+    const std::array<std::vector<double>, 2> fixed = fixed_lines();
+    QuadMesh mesh = tensor_mesh(mirrored.lines(0, fixed[0], cell_size),
+                                mirrored.lines(1, fixed[1], cell_size));
     mesh.open_slit({slit_length, slit_height});
     mesh.create(plane);
 

@@ -276,8 +276,8 @@ namespace MixedCracks
 
 
 
-  QuadMesh
-  strip_mesh(const StripMeasures &m)
+  std::array<std::vector<double>, 2>
+  fixed_lines(const StripMeasures &m)
   {
     std::vector<double> x = {0., m.width};
     std::vector<double> y = {0., m.height};
@@ -286,8 +286,6 @@ namespace MixedCracks
       x.push_back(m.notch_length);
       y.push_back(m.notch_height);
     }
-
-    QuadMesh mesh;
     if (m.has_hole())
     {
       const HoleBox box = hole_box(m);
@@ -295,9 +293,23 @@ namespace MixedCracks
         x.push_back(line);
       for (const double line : with_middle(box.bottom, box.top, m.cell_size))
         y.push_back(line);
-      x    = grid_lines(x, m.cell_size);
-      y    = grid_lines(y, m.cell_size);
-      mesh = tensor_mesh(x, y, [&box](const dealii::Point<2> &p) {
+    }
+    return {{x, y}};
+  }
+
+
+
+  QuadMesh
+  strip_mesh(const StripMeasures &m)
+  {
+    const std::array<std::vector<double>, 2> fixed = fixed_lines(m);
+    const std::vector<double> x = m.mirrored.lines(0, fixed[0], m.cell_size);
+    const std::vector<double> y = m.mirrored.lines(1, fixed[1], m.cell_size);
+    QuadMesh                  mesh;
+    if (m.has_hole())
+    {
+      const HoleBox box = hole_box(m);
+      mesh              = tensor_mesh(x, y, [&box](const dealii::Point<2> &p) {
         return p[0] > box.left && p[0] < box.right && p[1] > box.bottom &&
                p[1] < box.top;
       });
@@ -308,8 +320,7 @@ namespace MixedCracks
       });
     }
     else
-      mesh =
-        tensor_mesh(grid_lines(x, m.cell_size), grid_lines(y, m.cell_size));
+      mesh = tensor_mesh(x, y);
 
     if (m.has_notch())
       mesh.open_slit(m.notch_tip());

@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#ifndef mixed_cracks_output_event_table_h
+#define mixed_cracks_output_event_table_h
+
+#include <cracks/crack_events.h>
+
+#include <output/event_parameters.h>
+#include <output/statistics.h>
+
+#include <mpi.h>
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace MixedCracks
+{
+  /// DIR/events.csv: a row for each event of Output/Events; there is no file
+  /// without. Rank 0 writes; throws FileError on all of them. Collective.
+  class EventTable
+  {
+  public:
+    EventTable(const std::string     &directory,
+               const EventParameters &parameters,
+               MPI_Comm               communicator);
+
+    /// Begin anew.
+    void open();
+
+    /// Write anew what an earlier run has come to, whatever its file holds by
+    /// now, and go on from there. @p earlier: its rows().
+    void restore(const std::string &earlier);
+
+    /// Look at the cracks of an accepted step. Returns lines for the log, on
+    /// rank 0.
+    std::vector<std::string> add(const StatisticsRow &row,
+                                 const TracedCracks  &cracks,
+                                 const DamageOrigins &origins);
+
+    /// Whether there was an event in the step that was added last.
+    bool
+    is_of_event(const unsigned int step) const
+    {
+      return last_step == step;
+    }
+
+    /// The header and all rows, for a checkpoint; empty on other ranks than 0
+    /// and where there is no file.
+    const std::string &
+    rows() const
+    {
+      return all_rows;
+    }
+
+  private:
+    void write(const std::string &content, bool append) const;
+
+    const std::string           name;
+    const EventParameters       parameters;
+    const MPI_Comm              communicator;
+    CrackEvents                 events;
+    std::string                 all_rows;
+    std::optional<unsigned int> last_step; // with an event but the start
+  };
+} // namespace MixedCracks
+
+#endif

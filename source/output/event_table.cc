@@ -1,0 +1,162 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// Rows are what is remembered of events, in a run that goes on as in one that
+// is resumed: both know the numbers as they stand in the table, and go on
+// alike.
+
+#include <base/collective.h>
+#include <base/finite_text.h>
+#include <base/log.h>
+
+#include <deal.II/base/mpi.h>
+
+#include <output/event_table.h>
+#include <output/small_file.h>
+
+#include <cstdlib>
+#include <sstream>
+
+namespace MixedCracks
+{
+  namespace
+  {
+    const std::string header = "step,time_s,displacement_mm,force_N,event,"
+                               "crack_length_mm,growth_mm,boundary,x_mm,y_mm\n";
+    // of the row; those of the event follow
+    constexpr std::size_t n_fields_of_step = 4;
+
+
+
+    std::string
+    row_of(const StatisticsRow &row, const CrackEvent &event)
+    {
+      std::string text = std::to_string(row.step());
+      for (const double number :
+           {row["time"], row["displacement"], row.force_size()})
+        text += ',' + csv_number(number);
+      text += ',' + event.kind + ',' + csv_number(event.crack_length) + ',' +
+              csv_number(event.growth) + ',' + csv_field(event.boundary);
+      for (unsigned int d = 0; d < 2; ++d)
+        text += ',' + (event.place ? csv_number((*event.place)[d]) : "");
+      return text + '\n';
+    }
+
+
+
+    CrackEvent
+    event_of(const std::string &line)
+    {
+      std::vector<std::string> fields = csv_fields(line);
+      fields.resize(n_fields_of_step + 6);
+      const std::string *const of_event = fields.data() + n_fields_of_step;
+      const auto               number   = [&of_event](const std::size_t field) {
+        return std::strtod(of_event[field].c_str(), nullptr);
+      };
+      CrackEvent event;
+      event.kind         = of_event[0];
+      event.crack_length = number(1);
+      event.growth       = number(2);
+      event.boundary     = of_event[3];
+      if (!of_event[4].empty())
+        event.place = {number(4), number(5)};
+      return event;
+    }
+
+
+
+    std::string
+    in_words(const CrackEvent &event)
+    {
+      const std::string place =
+        event.place
+          ? format(" at (%.6g, %.6g) mm", (*event.place)[0], (*event.place)[1])
+          : "";
+      if (event.kind == "onset")
+        return "damage begins" + place;
+      if (event.kind == "boundary")
+        return "a crack meets " + event.boundary + place;
+      if (event.kind == "separation")
+        return "cracks have separated the body";
+      return format("the cracks have grown by %.6g mm to %.6g mm",
+                    event.growth,
+                    event.crack_length);
+    }
+  } // namespace
+
+
+
+  EventTable::EventTable(const std::string     &directory,
+                         const EventParameters &parameters,
+                         const MPI_Comm         communicator)
+    : name(directory + "/events.csv")
+    , parameters(parameters)
+    , communicator(communicator)
+    , events(parameters.kinds(), parameters.length_step)
+  {}
+
+
+
+  void
+  EventTable::write(const std::string &content, const bool append) const
+  {
+    std::string message;
+    if (!content.empty() &&
+        dealii::Utilities::MPI::this_mpi_process(communicator) == 0)
+      message = append ? append_to_file(name, content)
+                       : replace_small_file(name, content);
+    throw_on_all_ranks(message, communicator);
+  }
+
+
+
+  void
+  EventTable::open()
+  {
+    restore("");
+  }
+
+
+
+  // Rows of steps behind the checkpoint, which will be computed again, must not
+  // stay. A run that watches no events any more keeps those it had.
+  void
+  EventTable::restore(const std::string &earlier)
+  {
+    all_rows =
+      earlier.empty() && !parameters.kinds().empty() ? header : earlier;
+    std::istringstream lines(all_rows);
+    std::string        line;
+    std::getline(lines, line); // the header
+    while (std::getline(lines, line))
+      events.remember(event_of(line));
+    write(all_rows, /*append=*/false);
+  }
+
+
+
+  std::vector<std::string>
+  EventTable::add(const StatisticsRow &row,
+                  const TracedCracks  &cracks,
+                  const DamageOrigins &origins)
+  {
+    std::vector<std::string> lines;
+    if (parameters.kinds().empty())
+      return lines;
+    std::string text;
+    // where the paths are
+    if (dealii::Utilities::MPI::this_mpi_process(communicator) == 0)
+      for (const CrackEvent &event : events.look(cracks, origins))
+      {
+        const std::string one = row_of(row, event);
+        events.remember(event_of(one));
+        text += one;
+        if (event.kind != "start")
+          lines.push_back("  event: " + in_words(event));
+      }
+    all_rows += text;
+    write(text, /*append=*/true);
+    if (dealii::Utilities::MPI::max(static_cast<int>(lines.size()),
+                                    communicator) > 0)
+      last_step = row.step();
+    return lines;
+  }
+} // namespace MixedCracks
