@@ -72,6 +72,9 @@ namespace MixedCracks
   const NotchTip *tip_at_end(const CrackPathProblem &problem,
                              const Polyline         &points);
 
+  /// Without the last points where these have turned back along the path.
+  void unfold_end(const CrackPathProblem &problem, Polyline &points);
+
   /// Prolong the last point to the @p tip of a notch if there is one, or else
   /// to the boundary or the tip of the crack.
   CrackEnd find_end(const CrackPathProblem &problem,

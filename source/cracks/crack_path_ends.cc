@@ -3,7 +3,8 @@
 // within l of the boundary. In this order:
 //
 //   1. a sharp notch tip nearby        a straight line to it
-//   2. go on along the damage          boundary met: end there
+//   2. go on along the damage          boundary met: end there; without the
+//                                      last points where they have turned back
 //   3. phi = 0.5 on the prolonged path, by bisection
 //   4. boundary within max(1.5 l [reach], 2 h) - 0.6 l of that    end there
 //   5. otherwise a tip                 cut back by 0.6 l [tip_lag]
@@ -165,6 +166,25 @@ namespace MixedCracks
 
 
 
+  // Where damage widens, as at the rim of a hole, centring may fold the end of
+  // a path, which would then be prolonged backwards along itself. Points go
+  // until the chords of the last part and of the one before it, max(l, 2 h)
+  // long, enclose less than a right angle: cracks have no sharper kinks.
+  void
+  unfold_end(const CrackPathProblem &problem, Polyline &points)
+  {
+    const double part = std::max(problem.options.length_scale, 2. * problem.h);
+    while (length_of(points) > 2. * part)
+    {
+      const Polyline before = without_end(points, part);
+      if (end_direction(problem, points) * end_direction(problem, before) > 0.)
+        return;
+      points.pop_back();
+    }
+  }
+
+
+
   std::vector<Polyline>
   parts_off_the_rim(const CrackPathProblem &problem, const Polyline &points)
   {
@@ -223,6 +243,7 @@ namespace MixedCracks
       end_at_tip(problem, tip->point, points);
       return {CrackEnd::Kind::boundary, problem.boundary.notch_name()};
     }
+    unfold_end(problem, points);
     BoundaryPlace place = advance(problem, points);
     if (place.exists())
       return end_on(problem, place);

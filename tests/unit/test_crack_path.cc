@@ -2,6 +2,8 @@
 // Crack paths found in phase fields imposed around known curves.
 #include "imposed_cracks.h"
 
+#include <cracks/crack_path_parts.h>
+
 #include <gtest/gtest.h>
 
 using namespace MixedCracks;
@@ -320,6 +322,35 @@ TEST(CrackPath, GoesFromTheNotchToTheHoleAndOn)
     EXPECT_LT(largest_distance(cracks[1].points, plate.body.curves[1]),
               0.5 * plate.body.h);
   }
+}
+
+
+
+// A path along y = 3 to x = 5 whose last points have been folded back beside
+// it; a kink of 60 degrees is none.
+TEST(CrackPath, AnEndThatIsFoldedBackIsCut)
+{
+  Imposed body;
+  body.curves = {straight({1., 3.}, {5., 3.})};
+  const DamageField      field(body.cells(), options(body).broken);
+  const BodyBoundary     boundary(sides(body));
+  const CrackPathOptions all = options(body);
+  const CrackPathProblem problem{field, boundary, all, field.cell_size()};
+  Polyline               path;
+  for (double x = 1.; x < 5.01; x += body.h)
+    path.emplace_back(x, 3.);
+  Polyline folded = path, kinked = path;
+  for (unsigned int k = 1; k <= 3; ++k)
+  {
+    folded.emplace_back(path.back()[0] - k * body.h, 3.1);
+    kinked.push_back(path.back() + k * body.h * Point<2>(0.5, std::sqrt(0.75)));
+  }
+  unfold_end(problem, folded);
+  EXPECT_EQ(folded.back()[1], 3.);
+  EXPECT_GT(folded.back()[0], path.back()[0] - 2. * body.l);
+  const std::size_t n = kinked.size();
+  unfold_end(problem, kinked);
+  EXPECT_EQ(kinked.size(), n);
 }
 
 
