@@ -4,9 +4,9 @@
 //
 //   onset          damage has a first nucleus (damage_origins.cc)
 //   crack length   floor((L_n - L_0)/D) is larger than at all events before
-//   boundary       an end of a path on a boundary, farther than 3 l from all
-//                  nuclei, as it would else have begun there, and from the
-//                  places where that boundary was met before
+//   boundary       an end of a path on a boundary at which it has not begun (a
+//                  nucleus within 3 l, and no nearer to the other end), farther
+//                  than 3 l from where that boundary was met before
 //   separation     two sides of the body are joined (crack_outcome.cc)
 //
 // A crack that passes several multiples in a step is one event: there is one
@@ -58,15 +58,19 @@ namespace MixedCracks
 
 
 
+    // whether a crack began at that end of it
     bool
-    is_near_any(const Point<2>              &point,
-                const std::vector<Point<2>> &others,
-                const double                 distance)
+    began_at(const Point<2>      &end,
+             const Point<2>      &other_end,
+             const DamageOrigins &origins)
     {
-      return std::any_of(
-        others.begin(), others.end(), [&](const Point<2> &other) {
-          return point.distance(other) < distance;
-        });
+      return std::any_of(origins.nuclei.begin(),
+                         origins.nuclei.end(),
+                         [&](const Point<2> &nucleus) {
+                           const double distance = end.distance(nucleus);
+                           return distance < origins.reach &&
+                                  distance <= other_end.distance(nucleus);
+                         });
     }
   } // namespace
 
@@ -111,21 +115,23 @@ namespace MixedCracks
                             const DamageOrigins      &origins) const
   {
     std::vector<Meeting> found;
-    const auto           add = [&](const CrackEnd &end, const Point<2> &place) {
+    const auto           add = [&](const CrackEnd &end,
+                         const Point<2> &place,
+                         const Point<2> &other_end) {
       const auto is_known = [&](const Meeting &other) {
         return other.first == end.name &&
                other.second.distance(place) < origins.reach;
       };
       if (end.kind == CrackEnd::Kind::boundary &&
-          !is_near_any(place, origins.nuclei, origins.reach) &&
+          !began_at(place, other_end, origins) &&
           std::none_of(meetings.begin(), meetings.end(), is_known) &&
           std::none_of(found.begin(), found.end(), is_known))
         found.emplace_back(end.name, rounded(place));
     };
     for (const Crack &crack : paths)
     {
-      add(crack.start, crack.points.front());
-      add(crack.end, crack.points.back());
+      add(crack.start, crack.points.front(), crack.points.back());
+      add(crack.end, crack.points.back(), crack.points.front());
     }
     return found;
   }

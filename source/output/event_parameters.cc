@@ -64,7 +64,7 @@ namespace MixedCracks
   EventParameters::check(const int dim) const
   {
     const std::vector<std::string> words = split_list(names, ',');
-    for (const std::string &alone : {"none", "all"})
+    for (const char *const alone : {"none", "all"})
       if (words.size() > 1 &&
           std::find(words.begin(), words.end(), alone) != words.end())
         throw InputError(

@@ -24,8 +24,8 @@ namespace MixedCracks
                       fields_every,
                       "Fields for ParaView are written every so many accepted "
                       "steps, and always at the start, at the peak of the "
-                      "force, at separation and at the end; 0: only then. "
-                      "Unit: 1.",
+                      "force, at separation, in the steps of Events and at the "
+                      "end; 0: only then. Unit: 1.",
                       Patterns::Integer(0));
     prm.add_parameter("Field format",
                       field_format,
