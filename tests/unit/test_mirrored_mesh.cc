@@ -74,7 +74,9 @@ TEST(MirroredMesh, CellsKeepThreeQuartersOfTheSizeAndAreNoLongerThanUsual)
       const bool are_needed = lines[i - 1] == 0. && lines[i] == position;
       const bool are_last   = lines[i - 1] == position && lines[i] == 10.;
       if (!are_needed && !are_last)
+      {
         EXPECT_GT(lines[i] - lines[i - 1], 0.75 - 1e-9) << position;
+      }
       EXPECT_LT(lines[i] - lines[i - 1], 1.5 + 1e-9) << position;
     }
   }
