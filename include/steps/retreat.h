@@ -23,6 +23,10 @@ namespace MixedCracks
     /// The trial is in equilibrium with its lagged phase field.
     void keep(const State &trial);
 
+    /// Whether what Newton's method has left is near enough to equilibrium to
+    /// go on with as long as the phase field moves.
+    bool is_near(const NewtonOutcome &newton) const;
+
     /// Whether there is an equilibrium, and the phase field has not come as
     /// near to it as it may: one that is that of the equilibrium has no way to
     /// halve.

@@ -105,10 +105,6 @@ namespace MixedCracks
 
     NewtonOutcome solve_elastic(const StepOutcome &so_far, State &trial);
 
-    bool can_go_on(const NewtonOutcome &newton,
-                   const StepOutcome   &so_far,
-                   const State         &trial) const;
-
     ActiveSetOutcome solve_phase_field(const State           &accepted,
                                        const FixedPhaseField &fixed,
                                        State                 &trial,

@@ -48,10 +48,6 @@ namespace MixedCracks
     // the one that it goes to.
     constexpr double inexact_residual = 1e-2;
 
-    // ... but enough to go on with where Newton's method finds no nearer one:
-    // the next phase field changes its problem.
-    constexpr double largest_residual = 0.1;
-
     // A node fell from (nearly) intact to (nearly) broken in one step.
     constexpr double running_crack_change = 0.9;
 
@@ -201,22 +197,6 @@ namespace MixedCracks
 
 
 
-  // Whether what Newton's method has left is a state to go on with, or the way
-  // back from it is open. What is accepted in the end has converged.
-  template <int dim>
-  bool
-  StepSolver<dim>::can_go_on(const NewtonOutcome &newton,
-                             const StepOutcome   &so_far,
-                             const State         &trial) const
-  {
-    const bool is_near = elastic.is_finite() && is_iterated(trial) &&
-                         !is_settled(so_far) && newton.iterations > 0 &&
-                         newton.last.largest() <= largest_residual;
-    return is_near || retreat.is_possible(trial);
-  }
-
-
-
   template <int dim>
   ActiveSetOutcome
   StepSolver<dim>::solve_phase_field(const State           &accepted,
@@ -346,8 +326,10 @@ namespace MixedCracks
       const NewtonOutcome newton = solve_elastic(outcome, trial);
       outcome.newton_iterations += newton.iterations;
       outcome.linear_iterations += newton.linear_iterations;
-      if (!newton.converged &&
-          (callbacks.stop_requested() || !can_go_on(newton, outcome, trial)))
+      const bool is_near =
+        iterated && !is_settled(outcome) && retreat.is_near(newton);
+      if (!newton.converged && (callbacks.stop_requested() ||
+                                !(is_near || retreat.is_possible(trial))))
         return left(outcome, newton.reason);
       if (!newton.converged && retreat.is_possible(trial))
       {
