@@ -91,7 +91,7 @@ namespace MixedCracks
                {{"a.prm", "--help=1"}, "takes no value"},
                {{"a.prm", "--resume", "--overwrite"}, "exclude each other"},
                {{"--case-id"}, "no parameter file"},
-               {{"a.prm", "--case-id=al"}, "allowed: problem, full"},
+               {{"a.prm", "--case-id=al"}, "Allowed: problem, full"},
                {{"a.prm", "--case-id", "--case-id"}, "twice"},
                {{"a.prm", "--case-id", "--check"}, "--case-id only prints"},
                {{"a.prm", "--resume", "--case-id"}, "--case-id only prints"},

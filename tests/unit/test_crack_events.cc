@@ -131,7 +131,7 @@ TEST(CrackEvents, GoOnFromWhatIsRemembered)
     std::string words;
     for (std::size_t n = begin; n < lengths.size(); ++n)
       words +=
-        step(events, crack_to(lengths[n]), n > 1 ? at_tip : nothing) + '|';
+        step(events, crack_to(lengths[n]), n > 0 ? at_tip : nothing) + '|';
     return words;
   };
   CrackEvents             live(event_kinds(), 1.);
@@ -143,7 +143,7 @@ TEST(CrackEvents, GoOnFromWhatIsRemembered)
       resumed.remember(row);
     EXPECT_EQ(all_from(n, resumed), all_from(n, live)) << n;
     for (const CrackEvent &event :
-         live.look(crack_to(lengths[n]), n > 1 ? at_tip : nothing))
+         live.look(crack_to(lengths[n]), n > 0 ? at_tip : nothing))
     {
       live.remember(event);
       rows.push_back(event);
