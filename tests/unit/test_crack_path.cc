@@ -345,8 +345,12 @@ TEST(CrackPath, AnEndThatIsFoldedBackIsCut)
     folded.emplace_back(path.back()[0] - k * body.h, 3.1);
     kinked.push_back(path.back() + k * body.h * Point<2>(0.5, std::sqrt(0.75)));
   }
+  const auto ahead = [&](const Polyline &points) {
+    return points.back()[0] - without_end(points, body.l).back()[0];
+  };
+  EXPECT_LT(ahead(folded), 0.);
   unfold_end(problem, folded);
-  EXPECT_EQ(folded.back()[1], 3.);
+  EXPECT_GT(ahead(folded), 0.);
   EXPECT_GT(folded.back()[0], path.back()[0] - 2. * body.l);
   const std::size_t n = kinked.size();
   unfold_end(problem, kinked);
