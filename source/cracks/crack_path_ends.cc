@@ -167,20 +167,24 @@ namespace MixedCracks
 
 
   // Where damage widens, as at the rim of a hole, centring may fold the end of
-  // a path, which would then be prolonged backwards along itself. Points go
-  // until the chords of the last part and of the one before it, max(l, 2 h)
-  // long, enclose less than a right angle: cracks have no sharper kinks.
+  // a path, which would then be prolonged backwards along itself. A path ends
+  // before the first place, of the last 4 parts, max(l, 2 h) long, where the
+  // chords of a part and of the one before it do not enclose less than a right
+  // angle: cracks have no sharper kinks. What is cut too much is prolonged.
   void
   unfold_end(const CrackPathProblem &problem, Polyline &points)
   {
-    const double part = std::max(problem.options.length_scale, 2. * problem.h);
-    while (length_of(points) > 2. * part)
+    const double part  = std::max(problem.options.length_scale, 2. * problem.h);
+    const double whole = length_of(points);
+    Polyline     kept  = points;
+    for (unsigned int k = 0; k <= 6 && whole > (0.5 * k + 2.) * part; ++k)
     {
-      const Polyline before = without_end(points, part);
-      if (end_direction(problem, points) * end_direction(problem, before) > 0.)
-        return;
-      points.pop_back();
+      const Polyline later   = without_end(points, 0.5 * k * part);
+      const Polyline earlier = without_end(later, part);
+      if (end_direction(problem, later) * end_direction(problem, earlier) <= 0.)
+        kept = earlier;
     }
+    points = kept;
   }
 
 

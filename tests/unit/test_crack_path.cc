@@ -351,7 +351,7 @@ TEST(CrackPath, AnEndThatIsFoldedBackIsCut)
   EXPECT_LT(ahead(folded), 0.);
   unfold_end(problem, folded);
   EXPECT_GT(ahead(folded), 0.);
-  EXPECT_GT(folded.back()[0], path.back()[0] - 2. * body.l);
+  EXPECT_GT(folded.back()[0], path.back()[0] - 3. * body.l);
   const std::size_t n = kinked.size();
   unfold_end(problem, kinked);
   EXPECT_EQ(kinked.size(), n);
