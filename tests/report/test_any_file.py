@@ -93,8 +93,8 @@ class Page(unittest.TestCase):
         with warnings.catch_warnings():
             warnings.simplefilter("error")
             text = page.written(directory)
-            table.write_table(os.path.join(directory, "sweep.csv"),
-                              [table.row_of("damaged", directory)])
+            table.write_table(os.path.join(directory, "sweep.csv"), table.RESULTS,
+                              [table.results_of(directory)])
         text.encode("utf-8")
         balance = Balance()
         balance.feed(text)
