@@ -142,7 +142,7 @@ class Page(unittest.TestCase):
         for odd in JSON:
             synthetic_run.write(os.path.join(self.whole, "summary.json"), "{%s}" % (
                 ", ".join('"%s": %s' % (key, odd) for key in
-                          list(table.COLUMNS) + ["warnings", "seconds_per_phase",
+                          list(table.RESULTS) + ["warnings", "seconds_per_phase",
                                                  "exit_reason", "outcome_start"])))
             with self.subTest(odd=odd[:20]):
                 self.examine(self.whole)
