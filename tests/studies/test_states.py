@@ -2,14 +2,12 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 """What cases are and what state they are in, without a queue: ids, immutability,
 stale results, mixtures, tasks that are called by anything."""
-import json
 import os
 import pathlib
 import signal
 import subprocess
 import sys
 import tempfile
-import time
 import unittest
 
 from sweeps import Sweep
