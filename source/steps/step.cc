@@ -144,9 +144,8 @@ namespace MixedCracks
     image  = trial.phase_field;
     lagged = trial.lagged_phase_field;
     const Vector next(acceleration.next(lagged, image));
-    const Vector before = trial.lagged_phase_field;
     move_within_bounds(lagged, next, 1., obstacle, trial.lagged_phase_field);
-    elastic.stay_admissible(before, trial, obstacle);
+    elastic.stay_admissible(lagged, trial, obstacle);
   }
 
 
