@@ -2,7 +2,7 @@
 """How a study that makes its own cases has them run: here, or by jobs of a cluster.
 Python's own library only."""
 import argparse
-import sys
+import contextlib
 import time
 
 from sweep_parts import (collect, command_run, command_submit, jobs, resources, runner,
@@ -51,21 +51,15 @@ class Runs:
         self.arguments = arguments
         arguments.again = False  # as run has it
         given = resources.resources_of(arguments)
-        words = "mpirun" if given["launcher"] is None else given["launcher"]
-        self.launch = runner.Launch(program, resources.launcher_words(words),
-                                    given["ranks"])
+        words = resources.launcher_words(resources.launcher_of(given))
+        self.launch = runner.Launch(program, words, given["ranks"])
 
     def bring(self, study, names):
         """Runs what is missing and writes the table of the study. Raises Stopped."""
         chosen = [study.cases[name] for name in names]
-        held = study.claim()
-        if held.warning:
-            print("sweep.py: warning: %s" % held.warning, file=sys.stderr)
-        try:
+        with contextlib.closing(study.claim()):
             _, whole = command_run.run_those_left(chosen, self.launch, self.arguments)
             collect.write(study, collect.rows_of(list(study.cases.values())))
-        finally:
-            held.release()
         if not whole:
             raise Stopped("stopped; the same command goes on from there")
 

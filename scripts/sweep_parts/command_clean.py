@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 """sweep.py clean: frees the space of what is not wanted any more. Without an option
 it says what there is."""
+import contextlib
 import os
 import re
 import shutil
@@ -21,8 +22,7 @@ def add_options(parser):
 
 
 def run(arguments, study):
-    held = study.claim()
-    try:
+    with contextlib.closing(study.claim()):
         every = list(study.cases.values())
         present = {case.id for case in every}
         act("stale", [path for path in directories(study.output)
@@ -34,8 +34,6 @@ def run(arguments, study):
                            if case.is_complete() and os.path.isdir(
                                case.path("checkpoint"))], arguments.checkpoints)
         remove_loose_links(study.output)
-    finally:
-        held.release()
     return 0
 
 

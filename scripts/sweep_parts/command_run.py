@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 """sweep.py run: what is missing, on this machine."""
+import contextlib
 import os
 import signal
 import sys
@@ -32,7 +33,7 @@ def run(arguments, study):
         os.makedirs(study.output, exist_ok=True)
         return write_table(study, chosen, {}, True)
     given = resources.resources_of(arguments)
-    words = "mpirun" if given["launcher"] is None else given["launcher"]
+    words = resources.launcher_of(given)
     launcher = words.split() if arguments.list else resources.launcher_words(words)
     launch = runner.Launch(study.program, launcher, given["ranks"])
     if arguments.list:
@@ -40,14 +41,9 @@ def run(arguments, study):
         for case in chosen:
             print(runner.shlex_joined(launch.command(case, case.has_checkpoint())))
         return 0
-    held = study.claim()
-    if held.warning:
-        print("sweep.py: warning: %s" % held.warning, file=sys.stderr)
-    try:
+    with contextlib.closing(study.claim()):
         statuses, whole = run_those_left(chosen, launch, arguments)
         return write_table(study, chosen, statuses, whole)
-    finally:
-        held.release()
 
 
 def run_those_left(chosen, launch, arguments):

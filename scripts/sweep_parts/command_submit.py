@@ -2,6 +2,7 @@
 """sweep.py submit: what is missing, as an array of jobs of Slurm, and a job behind it
 that writes the table."""
 import collections
+import contextlib
 import os
 import re
 import sys
@@ -29,11 +30,8 @@ def run(arguments, study):
     try:
         if arguments.dry_run:
             return submitted(arguments, study, given)
-        held = study.claim()
-        try:
+        with contextlib.closing(study.claim()):
             return submitted(arguments, study, given)
-        finally:
-            held.release()
     except slurm.QueueError as error:
         print("sweep.py: %s" % error, file=sys.stderr)
         return 1

@@ -63,10 +63,9 @@ def opened(arguments):
     if not study.owner():
         study.claim(PATIENCE).release()
     given = resources.resources_of(arguments)
-    words = "mpirun" if given["launcher"] is None else given["launcher"]
+    words = resources.launcher_words(resources.launcher_of(given))
     return (list(study.cases.values()),
-            runner.Launch(study.program, resources.launcher_words(words),
-                          given["ranks"], slurm.own_job()))
+            runner.Launch(study.program, words, given["ranks"], slurm.own_job()))
 
 
 def of_manifest(arguments):

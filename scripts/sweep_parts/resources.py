@@ -118,6 +118,11 @@ def resources_of(arguments):
     return found
 
 
+def launcher_of(given):
+    """The text of the launcher among resources: mpirun where none is named."""
+    return "mpirun" if given["launcher"] is None else given["launcher"]
+
+
 def launcher_words(text):
     """Of a launcher that has to be on this machine; raises SweepError."""
     words = shlex.split(text)

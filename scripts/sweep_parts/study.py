@@ -10,6 +10,7 @@ import fnmatch
 import hashlib
 import json
 import os
+import sys
 from concurrent.futures import ThreadPoolExecutor
 
 from report_parts import safe
@@ -162,7 +163,8 @@ class Study:
                                  "with --output, or move it away" % path)
 
     def claim(self, wait=0.):
-        """Makes the directory, as that of this sweep file; returns its lock, held.
+        """Makes the directory, as that of this sweep file; returns its lock, held,
+        and warns where the file system has none.
         wait: s, while somebody else has it. Raises lock.InUse and OSError."""
         os.makedirs(self.output, exist_ok=True)
         held = lock.Lock(self.output, wait=wait)
@@ -172,6 +174,8 @@ class Study:
         except BaseException:
             held.release()
             raise
+        if held.warning:
+            print("sweep.py: warning: %s" % held.warning, file=sys.stderr)
         return held
 
     def note_owner(self):

@@ -3,6 +3,7 @@
 import numpy as np
 
 from report_parts import crack_path
+from study_parts.polylines import distances
 
 from . import studies
 
@@ -16,20 +17,6 @@ def polylines(directory):
     if not lines:
         raise studies.StudyError("%s: crack_path.csv holds no crack" % directory)
     return lines
-
-
-def distance_to_segment(points, begin, end):
-    along = end - begin
-    square = float(along @ along)
-    part = np.zeros(len(points)) if square == 0. \
-        else np.clip((points - begin) @ along / square, 0., 1.)
-    return np.linalg.norm(points - begin - part[:, None] * along, axis=1)
-
-
-def distances(points, lines):
-    """Of points to the nearest of the polylines."""
-    return np.min([distance_to_segment(points, line[i], line[i + 1])
-                   for line in lines for i in range(len(line) - 1)], axis=0)
 
 
 def written(first, second):

@@ -21,8 +21,10 @@ import sys
 
 HERE = os.path.dirname(os.path.abspath(__file__))
 sys.path.insert(0, os.path.join(HERE, os.pardir, "report"))
+sys.path.insert(0, os.path.join(HERE, os.pardir, "sweep"))
 sys.path.insert(0, os.path.join(HERE, os.pardir, os.pardir, "scripts"))
 import synthetic_run  # noqa: E402
+from fake_program import read_words  # noqa: E402
 from report_parts import parameters  # noqa: E402
 
 DEFAULTS = """subsection Geometry
@@ -54,23 +56,6 @@ subsection Load stepping
   set Largest step = 1.2
 end
 """
-
-
-def read_words(words):
-    """(settings, options, output, base)."""
-    settings, options, output, base = {}, set(), None, None
-    while words:
-        word = words.pop(0)
-        if word == "--set":
-            entry, _, value = words.pop(0).partition("=")
-            settings[entry] = value
-        elif word == "--output":
-            output = words.pop(0)
-        elif word.startswith("--"):
-            options.add(word)
-        else:
-            base = word
-    return settings, options, output, base
 
 
 def effective(base, settings):
