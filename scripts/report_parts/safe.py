@@ -1,9 +1,11 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 """Texts and numbers from files that may hold anything: cut off, damaged, of
-another program. Python's own library only."""
+another program; and files that nobody finds in such a state. Python's own library
+only."""
 import csv
 import json
 import math
+import os
 
 # What is larger is no measure of a body in mm, N, MPa or s, and breaks drawing.
 LARGEST = 1e30
@@ -19,6 +21,15 @@ def read_text(path):
             return stream.read()
     except (OSError, ValueError):
         return None
+
+
+def write_whole(path, text):
+    """The old file stays until the new one is whole. What is no character, as in names
+    of files, becomes '?'."""
+    new = "%s.%d" % (path, os.getpid())
+    with open(new, "w", encoding="utf-8", errors="replace") as stream:
+        stream.write(text)
+    os.replace(new, path)
 
 
 def finite(text):

@@ -10,7 +10,7 @@ import os
 import shlex
 import sys
 
-from report_parts import parameters
+from report_parts import parameters, safe
 from sweep_parts import sweep_file
 from sweep_parts.errors import SweepError
 from sweep_parts.study import Study
@@ -103,10 +103,7 @@ def study_of(kind, source, runs, output, program):
     except OSError:
         same = False
     if not same:
-        new = "%s.%d" % (path, os.getpid())
-        with open(new, "w", encoding="utf-8") as stream:
-            stream.write(text)
-        os.replace(new, path)
+        safe.write_whole(path, text)
     return Study(path, output, program)
 
 

@@ -7,7 +7,7 @@ import datetime
 import os
 import urllib.parse
 
-from report_parts import curves, page
+from report_parts import curves, page, safe
 from sweep_parts import cases, collect, progress, studies, study_cracks, study_curves
 
 REFRESH = "<meta http-equiv=\"refresh\" content=\"%d\">\n"
@@ -163,17 +163,9 @@ def write_pages(study, chosen):
                 and os.path.getmtime(target) > os.path.getmtime(rows)
                 and os.path.getmtime(target) > newest_summary(case)):
             continue
-        replace(target, page.written(case.directory))
+        safe.write_whole(target, page.written(case.directory))
 
 
 def newest_summary(case):
     path = case.path("summary.json")
     return os.path.getmtime(path) if os.path.isfile(path) else 0.
-
-
-def replace(path, text):
-    """The old file stays until the new one is whole."""
-    new = "%s.%d" % (path, os.getpid())
-    with open(new, "w", encoding="utf-8", errors="replace") as stream:
-        stream.write(text)
-    os.replace(new, path)

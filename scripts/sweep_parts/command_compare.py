@@ -14,6 +14,7 @@ Exit status: 0; 1 when a tolerance is not met or a case is missing that has one.
 import os
 import sys
 
+from report_parts import safe
 from study_parts import drawing
 from study_parts.errors import StudyError
 
@@ -49,8 +50,9 @@ def run(arguments, _):
     missed = comparison.judged(found, tolerances)
     missed += missing_ones(missing, known) if tolerances else []
     text = comparison_text.markdown(found, known, missed)
-    write(os.path.join(output, "comparison.md"), text)
-    write(os.path.join(output, "comparison.csv"), comparison_text.table(found, known))
+    safe.write_whole(os.path.join(output, "comparison.md"), text)
+    safe.write_whole(os.path.join(output, "comparison.csv"),
+                     comparison_text.table(found, known))
     sys.stdout.write(text)
     folder = os.path.join(output, "comparison") if arguments.figures is None \
         else arguments.figures
@@ -82,12 +84,6 @@ def runs_of(arguments):
 
 def missing_ones(names, known):
     return ["%s has not been run" % name for name in names if known.used_by(name)]
-
-
-def write(path, text):
-    with open(path + ".new", "w", encoding="utf-8") as stream:
-        stream.write(text)
-    os.replace(path + ".new", path)
 
 
 def draw(found, known, folder, suffix):

@@ -4,6 +4,7 @@ all curves, all cracks, links. Whole at any time, also while the sweep goes on."
 import os
 import time
 
+from report_parts import safe
 from study_parts import drawing
 from study_parts.errors import StudyError
 
@@ -46,6 +47,6 @@ def write(opened, cases, with_pages, sweep_page):
         sweep_page.write_pages(opened, cases)
     text, over = sweep_page.written(opened, cases)
     path = os.path.join(opened.output, "report.html")
-    sweep_page.replace(path, text)
+    safe.write_whole(path, text)
     print(path, flush=True)
     return over

@@ -60,11 +60,8 @@ class IdCache:
             return
         if len(self.known) > MOST:
             self.known = {key: self.known[key] for key in self.used}
-        new = "%s.%d" % (self.path, os.getpid())
         try:
-            with open(new, "w", encoding="utf-8") as stream:
-                json.dump(self.known, stream)
-            os.replace(new, self.path)
+            safe.write_whole(self.path, json.dumps(self.known))
         except OSError:
             pass
 

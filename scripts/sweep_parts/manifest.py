@@ -37,11 +37,7 @@ class Manifest:
 
     def write(self):
         os.makedirs(self.folder, exist_ok=True)
-        new = self.path + ".new"
-        with open(new, "w", encoding="utf-8") as stream:
-            json.dump(self.content, stream, indent=1)
-            stream.write("\n")
-        os.replace(new, self.path)
+        safe.write_whole(self.path, json.dumps(self.content, indent=1) + "\n")
 
     def group(self, number):
         if not 0 <= number < len(self.groups):

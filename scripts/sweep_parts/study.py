@@ -182,11 +182,8 @@ class Study:
         path = os.path.join(self.output, OWNER)
         if self.owner():
             return
-        new = "%s.%d" % (path, os.getpid())
-        with open(new, "w", encoding="utf-8") as stream:
-            json.dump({"file": os.path.abspath(self.sweep.path)}, stream)
-            stream.write("\n")
-        os.replace(new, path)
+        safe.write_whole(
+            path, json.dumps({"file": os.path.abspath(self.sweep.path)}) + "\n")
 
 
 def canonical(value):

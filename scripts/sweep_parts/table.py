@@ -2,6 +2,7 @@
 """Results of a run, from its summary.json and statistics.csv, and files of tables.
 Python's own library only: a cluster may have no numpy."""
 import csv
+import io
 import math
 import os
 
@@ -102,10 +103,9 @@ def as_text(value):
 
 def write_table(path, columns, rows):
     """The table; the old one stays until the new one is whole."""
-    new = "%s.%d" % (path, os.getpid())
-    with open(new, "w", encoding="utf-8", newline="") as stream:
-        writer = csv.writer(stream, lineterminator="\n")
-        writer.writerow(columns)
-        for row in rows:
-            writer.writerow([as_text(row.get(column)) for column in columns])
-    os.replace(new, path)
+    stream = io.StringIO()
+    writer = csv.writer(stream, lineterminator="\n")
+    writer.writerow(columns)
+    for row in rows:
+        writer.writerow([as_text(row.get(column)) for column in columns])
+    safe.write_whole(path, stream.getvalue())
