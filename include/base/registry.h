@@ -33,6 +33,14 @@ namespace MixedCracks
       , entries(std::move(entries))
     {}
 
+    /// A function for an entry: makes a @p Made, which is a Product.
+    template <typename Made>
+    static std::unique_ptr<Product>
+    make_one(Arguments... arguments)
+    {
+      return std::make_unique<Made>(std::forward<Arguments>(arguments)...);
+    }
+
     /// Make the product called @p name. Throws InputError with the list of
     /// names and the nearest one.
     std::unique_ptr<Product>

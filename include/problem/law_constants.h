@@ -14,6 +14,9 @@
 
 namespace MixedCracks
 {
+  /// Lambda, mu, E, nu and K, as their entries of Material are called.
+  const std::vector<std::string> &elastic_constant_names();
+
   /// Which constants make a material of the hyperelastic law of a case, and
   /// whether their values do. Constants are known by the names of entries of
   /// Material and of those in Material/Hyperelastic constants. There are none

@@ -133,6 +133,9 @@ namespace MixedCracks
     std::string linear_solver_in_words() const;
 
   private:
+    /// Of problems on the way to one, which are but starts for what follows.
+    static constexpr double tolerance_on_the_way = 1e-4;
+
     NewtonOutcome predict_along_tangent(const State         &accepted,
                                         State               &trial,
                                         const NewtonOptions &options);

@@ -14,7 +14,6 @@
 namespace MixedCracks
 {
   using namespace dealii;
-  using Vector = LinearAlgebra::Vector;
 
   template <int dim>
   CellDofs<dim>::CellDofs(const DoFHandler<dim> &handler, const DofSets &sets)
@@ -31,7 +30,7 @@ namespace MixedCracks
         for (const auto index : indices)
           positions.push_back(sets.relevant.index_within_set(index));
       }
-    const Vector owned(sets.owned, handler.get_communicator());
+    const LinearAlgebra::Vector owned(sets.owned, handler.get_communicator());
     exporter = std::make_unique<Epetra_Export>(sums.trilinos_vector().Map(),
                                                owned.trilinos_vector().Map());
   }
@@ -40,9 +39,9 @@ namespace MixedCracks
 
   template <int dim>
   void
-  CellDofs<dim>::read(const unsigned int      cell,
-                      const Vector           &ghosted,
-                      dealii::Vector<double> &local) const
+  CellDofs<dim>::read(const unsigned int           cell,
+                      const LinearAlgebra::Vector &ghosted,
+                      dealii::Vector<double>      &local) const
   {
     const double *const       values = ghosted.begin();
     const unsigned int *const first  = &positions[cell * dofs_per_cell];
@@ -66,7 +65,7 @@ namespace MixedCracks
 
   template <int dim>
   void
-  CellDofs<dim>::begin_sum(Vector &result)
+  CellDofs<dim>::begin_sum(LinearAlgebra::Vector &result)
   {
     result = 0.;
     // deal.II does not write to vectors with ghosts
@@ -94,7 +93,7 @@ namespace MixedCracks
   CellDofs<dim>::add(const unsigned int            cell,
                      const dealii::Vector<double> &local,
                      const Constraints            &constraints,
-                     Vector                       &result)
+                     LinearAlgebra::Vector        &result)
   {
     if (is_constrained(cell, constraints))
     {
@@ -112,12 +111,12 @@ namespace MixedCracks
 
   template <int dim>
   void
-  CellDofs<dim>::end_sum(Vector &result)
+  CellDofs<dim>::end_sum(LinearAlgebra::Vector &result)
   {
     result.compress(VectorOperation::add);
     // a vector of its own: the export replaces what its target holds
-    Vector    shared(result);
-    const int error =
+    LinearAlgebra::Vector shared(result);
+    const int             error =
       shared.trilinos_vector().Export(sums.trilinos_vector(), *exporter, Add);
     AssertThrow(error == 0, ExcMessage("the sum over the ranks failed"));
     result.add(1., shared);

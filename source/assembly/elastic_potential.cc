@@ -39,7 +39,6 @@
 namespace MixedCracks
 {
   using namespace dealii;
-  using Vector = LinearAlgebra::Vector;
 
   namespace
   {
@@ -86,8 +85,9 @@ namespace MixedCracks
   // L(u, p), and dL/dp in the rows of the pressure
   template <int dim>
   double
-  ElasticPotential<dim>::evaluate(const Vector &lagged_phase_field,
-                                  Vector       &residual)
+  ElasticPotential<dim>::evaluate(
+    const LinearAlgebra::Vector &lagged_phase_field,
+    LinearAlgebra::Vector       &residual)
   {
     double                           sum   = 0.;
     CellDofs<dim>                   &cells = assembler.elastic_dofs();
@@ -126,25 +126,27 @@ namespace MixedCracks
 
   template <int dim>
   void
-  ElasticPotential<dim>::solve_with_mass(const Vector &right_hand_side,
-                                         Vector       &solution) const
+  ElasticPotential<dim>::solve_with_mass(
+    const LinearAlgebra::Vector &right_hand_side,
+    LinearAlgebra::Vector       &solution) const
   {
     // rows of displacements are 0, in all vectors too
-    Vector inverse_diagonal(right_hand_side);
+    LinearAlgebra::Vector inverse_diagonal(right_hand_side);
     for (const auto i : right_hand_side.locally_owned_elements())
     {
       const double value  = mass.diag_element(i);
       inverse_diagonal(i) = value == 0. ? 1. : 1. / value;
     }
     inverse_diagonal.compress(VectorOperation::insert);
-    const DiagonalMatrix<Vector> preconditioner(inverse_diagonal);
+    const DiagonalMatrix<LinearAlgebra::Vector> preconditioner(
+      inverse_diagonal);
     // no exception where the tolerance is not met
     IterationNumberControl control(
       most_iterations, linear_tolerance * right_hand_side.l2_norm());
     solution = 0.;
     try
     {
-      SolverCG<Vector>(control).solve(
+      SolverCG<LinearAlgebra::Vector>(control).solve(
         mass, solution, right_hand_side, preconditioner);
     }
     catch (const SolverControl::NoConvergence &)
@@ -157,8 +159,8 @@ namespace MixedCracks
 
   template <int dim>
   double
-  ElasticPotential<dim>::value(const Vector &elastic,
-                               const Vector &lagged_phase_field)
+  ElasticPotential<dim>::value(const LinearAlgebra::Vector &elastic,
+                               const LinearAlgebra::Vector &lagged_phase_field)
   {
     state.reinit(fields.elastic_dofs.owned,
                  fields.elastic_dofs.relevant,
@@ -172,7 +174,8 @@ namespace MixedCracks
 
   template <int dim>
   double
-  ElasticPotential<dim>::present_value(const Vector &lagged_phase_field)
+  ElasticPotential<dim>::present_value(
+    const LinearAlgebra::Vector &lagged_phase_field)
   {
     double sum = 0.;
     assembler.visit_states(state,
@@ -189,10 +192,11 @@ namespace MixedCracks
   // From the pressure in `state` to the one where L is largest.
   template <int dim>
   double
-  ElasticPotential<dim>::eliminate_pressure(const Vector &lagged_phase_field)
+  ElasticPotential<dim>::eliminate_pressure(
+    const LinearAlgebra::Vector &lagged_phase_field)
   {
-    Vector residual = fields.owned_vector(fields.elastic_dofs);
-    Vector iterate(residual), step(residual);
+    LinearAlgebra::Vector residual = fields.owned_vector(fields.elastic_dofs);
+    LinearAlgebra::Vector iterate(residual), step(residual);
     iterate          = state;
     double potential = 0., first_gain = 0.;
     for (unsigned int i = 0; i < most_steps; ++i)
@@ -218,8 +222,8 @@ namespace MixedCracks
   // sum over cells of R^K . d^K, with R_p = 0
   template <int dim>
   double
-  ElasticPotential<dim>::slope(const Vector &direction,
-                               const Vector &lagged_phase_field)
+  ElasticPotential<dim>::slope(const LinearAlgebra::Vector &direction,
+                               const LinearAlgebra::Vector &lagged_phase_field)
   {
     double                 sum = 0.;
     dealii::Vector<double> residual(fields.elastic.get_fe().n_dofs_per_cell());

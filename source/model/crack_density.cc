@@ -214,15 +214,6 @@ namespace MixedCracks
         return 0.5 * PI;
       }
     };
-
-
-
-    template <typename Density>
-    std::unique_ptr<CrackDensity>
-    make()
-    {
-      return std::make_unique<Density>();
-    }
   } // namespace
 
 
@@ -230,21 +221,22 @@ namespace MixedCracks
   const Registry<CrackDensity> &
   all_crack_densities()
   {
-    static const Registry<CrackDensity> list(
+    using List = Registry<CrackDensity>;
+    static const List list(
       "crack density",
       {{"Wu",
         "(2 (1-phi) - (1-phi)^2) / (pi l) + l/pi |grad phi|^2, with an "
         "elastic stage; band of half width pi l / 2; with the quadratic "
         "degradation this is not the PF-CZM",
-        make<Wu>},
+        List::make_one<Wu>},
        {"AT1",
         "3/8 ((1-phi)/l + l |grad phi|^2), with an elastic stage; band of "
         "half width 2 l",
-        make<AT1>},
+        List::make_one<AT1>},
        {"AT2",
         "(1-phi)^2 / (2 l) + l/2 |grad phi|^2, damage from the first load "
         "on; band without an edge",
-        make<AT2>}});
+        List::make_one<AT2>}});
     return list;
   }
 } // namespace MixedCracks

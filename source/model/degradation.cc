@@ -67,15 +67,6 @@ namespace MixedCracks
     private:
       const double kappa;
     };
-
-
-
-    template <typename Law>
-    std::unique_ptr<Degradation>
-    make(const double kappa)
-    {
-      return std::make_unique<Law>(kappa);
-    }
   } // namespace
 
 
@@ -83,9 +74,10 @@ namespace MixedCracks
   const Registry<Degradation, double> &
   all_degradations()
   {
-    static const Registry<Degradation, double> list(
+    using List = Registry<Degradation, double>;
+    static const List list(
       "degradation",
-      {{"quadratic", "(1-kappa) phi^2 + kappa", make<Quadratic>}});
+      {{"quadratic", "(1-kappa) phi^2 + kappa", List::make_one<Quadratic>}});
     return list;
   }
 } // namespace MixedCracks

@@ -100,15 +100,6 @@ namespace MixedCracks
     private:
       const double kappa;
     };
-
-
-
-    template <typename Law>
-    std::unique_ptr<FinitePressureLaw>
-    make(const FinitePressureConstants constants)
-    {
-      return std::make_unique<Law>(constants);
-    }
   } // namespace
 
 
@@ -116,17 +107,18 @@ namespace MixedCracks
   const Registry<FinitePressureLaw, FinitePressureConstants> &
   all_finite_pressure_laws()
   {
-    static const Registry<FinitePressureLaw, FinitePressureConstants> list(
+    using List = Registry<FinitePressureLaw, FinitePressureConstants>;
+    static const List list(
       "pressure law at finite strain",
       {{"relaxed bulk",
         "g (J - 1, q) - (g^2/lambda' + g(1-g)/(c mu)) (p, q) = 0, the momentum "
         "balance carries g p; the volumetric constraint fades with the shear "
         "stiffness, so that cracks open",
-        make<RelaxedBulk>},
+        List::make_one<RelaxedBulk>},
        {"cubic",
         "b^2 (J - 1, q) - b^2/lambda' (p, q) = 0, the momentum balance carries "
         "b^2 p, b = (1-kappa) phi^3 + kappa (Ang, Li and Bouklas)",
-        make<Cubic>}});
+        List::make_one<Cubic>}});
     return list;
   }
 } // namespace MixedCracks

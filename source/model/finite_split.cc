@@ -21,7 +21,7 @@ namespace MixedCracks
   {
     template <bool splits, bool only_tension, bool only_stretches>
     std::unique_ptr<FiniteSplit>
-    make()
+    make_split()
     {
       return std::make_unique<FiniteSplit>(
         FiniteSplit{splits, only_tension, only_stretches});
@@ -37,14 +37,14 @@ namespace MixedCracks
       "energy split at finite strain",
       {{"none",
         "the whole energy drives the crack and is degraded by it",
-        make<false, false, false>},
+        make_split<false, false, false>},
        {"volumetric",
         "a pressure that compresses neither drives the crack nor fades",
-        make<true, true, false>},
+        make_split<true, true, false>},
        {"principal stretches",
         "only stretches above 1 and expansion drive the crack, the whole "
         "energy is degraded by it; with neo-Hooke and Ogden",
-        make<false, true, true>}});
+        make_split<false, true, true>}});
     return list;
   }
 } // namespace MixedCracks

@@ -25,7 +25,7 @@ namespace MixedCracks
 
   namespace
   {
-    const double undefined = std::numeric_limits<double>::quiet_NaN();
+    const double not_a_value = std::numeric_limits<double>::quiet_NaN();
   }
 
 
@@ -38,7 +38,7 @@ namespace MixedCracks
   {
     const auto deformation = at_constraint(gradient, g, at);
     if (!deformation)
-      return undefined;
+      return not_a_value;
     const double theta = form->measure(deformation->volume_change).value;
     const FinitePressureCoefficients now = coefficients(theta, g, at);
     return now.volume * theta / now.compliance;
@@ -91,7 +91,7 @@ namespace MixedCracks
     }
     const auto scaled = at_pressure(gradient, pressure, g, at);
     return scaled ? by_law(*scaled) + 2. * linear_energy(gradient, g, at)
-                  : undefined;
+                  : not_a_value;
   }
 
 
@@ -150,7 +150,7 @@ namespace MixedCracks
   {
     const auto deformation = at_pressure(gradient, pressure, g, at);
     if (!deformation)
-      return {undefined, undefined, undefined};
+      return {not_a_value, not_a_value, not_a_value};
     const FinitePressureCoefficients now = coefficients(pressure, g, at);
     return {now.distortion * law->energy(*deformation, law_constants(at)) +
               now.distortion * linear_energy(gradient, g, at),
@@ -187,7 +187,7 @@ namespace MixedCracks
                                   const PointConstants &at) const
   {
     const auto deformation = at_pressure(gradient, pressure, g, at);
-    return deformation ? 1. + deformation->volume_change : undefined;
+    return deformation ? 1. + deformation->volume_change : not_a_value;
   }
 
 
@@ -205,7 +205,7 @@ namespace MixedCracks
     Tensor<2, 3> result;
     for (unsigned int i = 0; i < 3; ++i)
       for (unsigned int j = 0; j < 3; ++j)
-        result[i][j] = undefined;
+        result[i][j] = not_a_value;
     return result;
   }
 
@@ -220,7 +220,7 @@ namespace MixedCracks
   {
     const auto deformation = at_pressure(gradient, pressure, g, at);
     if (!deformation)
-      return undefined * dealii::unit_symmetric_tensor<3>();
+      return not_a_value * dealii::unit_symmetric_tensor<3>();
     const Full full = in_space(
       *deformation, pressure, coefficients(pressure, g, at), at, false);
     return symmetrize(full.stress * transpose(deformation->gradient)) /

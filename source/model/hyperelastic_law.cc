@@ -264,15 +264,6 @@ namespace MixedCracks
         return std::min(reach_of_use, 0.95 * constants[1]);
       }
     };
-
-
-
-    template <typename Law>
-    std::unique_ptr<HyperelasticLaw>
-    make(const HyperelasticForm form)
-    {
-      return std::make_unique<Law>(form);
-    }
   } // namespace
 
 
@@ -280,21 +271,22 @@ namespace MixedCracks
   const Registry<HyperelasticLaw, HyperelasticForm> &
   all_hyperelastic_laws()
   {
-    static const Registry<HyperelasticLaw, HyperelasticForm> list(
+    using List = Registry<HyperelasticLaw, HyperelasticForm>;
+    static const List list(
       "hyperelastic law",
-      {{"neo-Hooke", "mu/2 (I1 - 3)", make<NeoHooke>},
+      {{"neo-Hooke", "mu/2 (I1 - 3)", List::make_one<NeoHooke>},
        {"Mooney-Rivlin",
         "C10 (I1 - 3) + C01 (I2 - 3), mu = 2 (C10 + C01)",
-        make<MooneyRivlin>},
+        List::make_one<MooneyRivlin>},
        {"Yeoh",
         "C10 (I1 - 3) + C20 (I1 - 3)^2 + C30 (I1 - 3)^3, mu = 2 C10",
-        make<Yeoh>},
-       {"Gent", "-mu Jm/2 ln(1 - (I1 - 3)/Jm)", make<Gent>},
+        List::make_one<Yeoh>},
+       {"Gent", "-mu Jm/2 ln(1 - (I1 - 3)/Jm)", List::make_one<Gent>},
        {"Ogden",
         "sum of mu_i/alpha_i (lambda_1^alpha_i + lambda_2^alpha_i + "
         "lambda_3^alpha_i - 3), up to three terms, mu = 1/2 sum of mu_i "
         "alpha_i",
-        make<OgdenLaw>}});
+        List::make_one<OgdenLaw>}});
     return list;
   }
 } // namespace MixedCracks

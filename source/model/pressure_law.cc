@@ -123,15 +123,6 @@ namespace MixedCracks
         return false; // in tension
       }
     };
-
-
-
-    template <typename Law>
-    std::unique_ptr<PressureLaw>
-    make()
-    {
-      return std::make_unique<Law>();
-    }
   } // namespace
 
 
@@ -139,21 +130,22 @@ namespace MixedCracks
   const Registry<PressureLaw> &
   all_pressure_laws()
   {
-    static const Registry<PressureLaw> list(
+    using List = Registry<PressureLaw>;
+    static const List list(
       "pressure law",
       {{"relaxed bulk",
         "(div u, q) - (1/lambda + (1-g)/(g c mu)) (p, q) = 0 in tension, the "
         "momentum balance carries p; the volumetric constraint fades with the "
         "shear stiffness, so that cracks open",
-        make<RelaxedBulk>},
+        List::make_one<RelaxedBulk>},
        {"degraded divergence",
         "g (div u, q) - 1/lambda (p, q) = 0, the momentum balance carries g p "
         "in tension; the law of Mang et al. (2021)",
-        make<DegradedDivergence>},
+        List::make_one<DegradedDivergence>},
        {"degraded bulk",
         "(div u, q) - 1/lambda (p, q) = 0, the momentum balance carries g p "
         "in tension; in the displacement formulation the classical law",
-        make<DegradedBulk>}});
+        List::make_one<DegradedBulk>}});
     return list;
   }
 } // namespace MixedCracks

@@ -35,7 +35,7 @@ namespace MixedCracks
 
   namespace
   {
-    const std::string header =
+    const std::string header_line =
       "step,time_s,displacement_mm,crack,length_mm,kink_angle_deg,start,end,"
       "tip_x_mm,tip_y_mm,point,x_mm,y_mm,arc_length_mm\n";
     constexpr std::size_t n_columns = 14;
@@ -112,7 +112,7 @@ namespace MixedCracks
     is_open = true;
     last.clear();
     steps.clear();
-    all_rows = header;
+    all_rows = header_line;
     return write_table_and_list();
   }
 
@@ -145,7 +145,7 @@ namespace MixedCracks
     is_open = true;
     last.clear();
     steps.clear();
-    all_rows = header;
+    all_rows = header_line;
     std::istringstream in(earlier);
     std::string        line, message;
     std::getline(in, line);

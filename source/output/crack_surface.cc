@@ -60,11 +60,11 @@ namespace MixedCracks
   {
     const GridTools::MarchingCubeAlgorithm<3, LinearAlgebra::Vector> cut(
       fields.mapping, fields.phase_field.get_fe());
-    std::vector<Point<3>>    corners;
-    std::vector<CellData<2>> faces;
+    std::vector<Point<3>>            corners;
+    std::vector<dealii::CellData<2>> faces;
     cut.process(fields.phase_field, phase_field, level, corners, faces);
     Triangles own;
-    for (const CellData<2> &face : faces)
+    for (const dealii::CellData<2> &face : faces)
       for (const unsigned int corner : face.vertices)
         own.push_back(corners[corner]);
 

@@ -20,15 +20,23 @@
 
 namespace MixedCracks
 {
+  const std::vector<std::string> &
+  elastic_constant_names()
+  {
+    static const std::vector<std::string> names = {"Lame lambda",
+                                                   "Shear modulus",
+                                                   "Young's modulus",
+                                                   "Poisson ratio",
+                                                   "Bulk modulus"};
+    return names;
+  }
+
+
+
   namespace
   {
     using Names = std::vector<std::string>;
 
-    const Names elastic_names = {"Lame lambda",
-                                 "Shear modulus",
-                                 "Young's modulus",
-                                 "Poisson ratio",
-                                 "Bulk modulus"};
     // those that say what a change of volume costs, mu being known
     const Names volumetric_names = {"Lame lambda",
                                     "Bulk modulus",
@@ -141,7 +149,7 @@ namespace MixedCracks
               (strains.law == "Ogden" ? ", of which the second and third "
                                         "pair may be left out."
                                       : "."));
-    const Names elastic = those_in(given, elastic_names);
+    const Names elastic = those_in(given, elastic_constant_names());
     require(those_in(elastic, {"Shear modulus", "Young's modulus"}).empty() &&
               elastic.size() == 1,
             (where == "Material/" ? "Material: " : where) + "found " +

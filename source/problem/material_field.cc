@@ -25,12 +25,12 @@ namespace MixedCracks
     const std::vector<std::string> variable_names = {"x", "y", "z", "map"};
 
     using Given = GivenElasticConstants;
-    const std::map<std::string, std::optional<double> Given::*> elastic_names =
-      {{"Lame lambda", &Given::lame_lambda},
-       {"Shear modulus", &Given::shear_modulus},
-       {"Young's modulus", &Given::youngs_modulus},
-       {"Poisson ratio", &Given::poisson_ratio},
-       {"Bulk modulus", &Given::bulk_modulus}};
+    const std::map<std::string, std::optional<double> Given::*>
+      elastic_members = {{"Lame lambda", &Given::lame_lambda},
+                         {"Shear modulus", &Given::shear_modulus},
+                         {"Young's modulus", &Given::youngs_modulus},
+                         {"Poisson ratio", &Given::poisson_ratio},
+                         {"Bulk modulus", &Given::bulk_modulus}};
 
     // A plain number, or nothing.
     std::optional<double>
@@ -95,7 +95,7 @@ namespace MixedCracks
     // values are none of the business of a set that may not be used at all
     const bool has_elasticity =
       std::any_of(given.begin(), given.end(), [&](const std::string &name) {
-        return elastic_names.count(name) > 0 || law.is_own(name);
+        return elastic_members.count(name) > 0 || law.is_own(name);
       });
     if (is_of_law && has_elasticity)
       law.check_names(given, where);
@@ -154,8 +154,8 @@ namespace MixedCracks
     for (const Entry &entry : entries)
     {
       const double value   = entry.evaluate(variables);
-      const auto   elastic = elastic_names.find(entry.name);
-      if (elastic != elastic_names.end())
+      const auto   elastic = elastic_members.find(entry.name);
+      if (elastic != elastic_members.end())
         given.*elastic->second = value;
       else if (law.is_own(entry.name))
         of_law[entry.name] = value;

@@ -32,12 +32,7 @@ namespace MixedCracks
     const std::string by_id_name     = "Material/By material id";
     const std::string constants_name = "Material/Hyperelastic constants";
 
-    const std::vector<std::string> elastic_names = {"Lame lambda",
-                                                    "Shear modulus",
-                                                    "Young's modulus",
-                                                    "Poisson ratio",
-                                                    "Bulk modulus"};
-    const std::string              critical_energy_release_rate_name =
+    const std::string critical_energy_release_rate_name =
       "Critical energy release rate";
 
     // Parts between commas that are not inside of parentheses: those separate
@@ -87,7 +82,7 @@ namespace MixedCracks
     n_elastic(const MaterialParameters::Texts &texts)
     {
       unsigned int n = 0;
-      for (const std::string &name : elastic_names)
+      for (const std::string &name : elastic_constant_names())
         n += texts.count(name);
       return n;
     }
@@ -105,7 +100,7 @@ namespace MixedCracks
     std::vector<std::string>
     known_names(const LawConstants &law)
     {
-      std::vector<std::string> names = elastic_names;
+      std::vector<std::string> names = elastic_constant_names();
       names.insert(names.end(), law.names().begin(), law.names().end());
       names.push_back(critical_energy_release_rate_name);
       return names;
@@ -129,8 +124,8 @@ namespace MixedCracks
     bool
     is_elastic(const std::string &name)
     {
-      return std::find(elastic_names.begin(), elastic_names.end(), name) !=
-             elastic_names.end();
+      const std::vector<std::string> &names = elastic_constant_names();
+      return std::find(names.begin(), names.end(), name) != names.end();
     }
   } // namespace
 
@@ -205,9 +200,9 @@ namespace MixedCracks
                                    &poisson_ratio,
                                    &bulk_modulus};
     Texts              result;
-    for (std::size_t i = 0; i < elastic_names.size(); ++i)
+    for (std::size_t i = 0; i < elastic_constant_names().size(); ++i)
       if (!values[i]->empty())
-        result[elastic_names[i]] = *values[i];
+        result[elastic_constant_names()[i]] = *values[i];
     result[critical_energy_release_rate_name] = critical_energy_release_rate;
     if (strains().is_finite() && !hyperelastic_constants.empty())
       result.merge(parsed_texts(hyperelastic_constants,
@@ -291,7 +286,7 @@ namespace MixedCracks
               where + std::to_string(n_elastic(texts)) +
                 " elastic constants, with those of the entries above; exactly "
                 "two are needed, out of " +
-                join_names(elastic_names) + ".");
+                join_names(elastic_constant_names()) + ".");
       const MaterialConstants constants(texts, where, strains());
       uses_map = uses_map || constants.uses_map();
     }

@@ -41,7 +41,7 @@ namespace MixedCracks
     }
 
     std::string
-    in_words(const Range &range)
+    range_in_words(const Range &range)
     {
       return !range.varies()
                ? format("%.4g", range.smallest)
@@ -124,9 +124,9 @@ namespace MixedCracks
   std::string
   in_words(const MaterialRange &range)
   {
-    return "material varies: lambda = " + in_words(range.lambda) +
-           " MPa, mu = " + in_words(range.mu) +
-           " MPa, G_c = " + in_words(range.critical_energy_release_rate) +
+    return "material varies: lambda = " + range_in_words(range.lambda) +
+           " MPa, mu = " + range_in_words(range.mu) +
+           " MPa, G_c = " + range_in_words(range.critical_energy_release_rate) +
            " N/mm";
   }
 

@@ -33,7 +33,7 @@ namespace MixedCracks
     constexpr unsigned int degree             = 2;
     constexpr unsigned int n_power_iterations = 10;
     // few iterations find an eigenvalue that is a little too small
-    constexpr double safety = 1.1;
+    constexpr double safety_of_the_largest = 1.1;
     // of the largest eigenvalue to the least one that is smoothed; what is
     // below is left to the coarse level
     constexpr double smoothed_range = 6.;
@@ -95,7 +95,8 @@ namespace MixedCracks
   ChebyshevSmoother::smooth(Vector       &solution,
                             const Vector &right_hand_side) const
   {
-    const double upper = safety * largest, lower = largest / smoothed_range;
+    const double upper  = safety_of_the_largest * largest,
+                 lower  = largest / smoothed_range;
     const double middle = 0.5 * (upper + lower), half = 0.5 * (upper - lower);
     const double ratio = middle / half;
     matrix.vmult(residual, solution);

@@ -33,7 +33,7 @@ namespace MixedCracks
     // when it was new is made anew
     constexpr double tolerated_growth = 3.;
     // a few iterations say nothing
-    constexpr unsigned int always_tolerated = 10;
+    constexpr unsigned int always_tolerated_iterations = 10;
 
 
 
@@ -167,7 +167,7 @@ namespace MixedCracks
       when_new = per_digit;
     else
       is_wanted =
-        iterations > always_tolerated &&
+        iterations > always_tolerated_iterations &&
         per_digit > (multigrid ? tolerated_growth * when_new : patience);
     is_new = false;
   }

@@ -37,9 +37,6 @@ namespace MixedCracks
     // The parts of a step; and how small one of them may be.
     constexpr unsigned int most_increments   = 50;
     constexpr double       smallest_fraction = 1e-4;
-
-    // of the equilibria on the way, which are but starts for what follows
-    constexpr double tolerance_on_the_way = 1e-4;
   } // namespace
 
 

@@ -43,9 +43,6 @@ namespace MixedCracks
     // Lower bounds of the lagged phase field, one after the other; the
     // stiffness that a crack has left is about their square.
     constexpr double least_phase_fields[] = {0.1, 0.03, 0.01, 3e-3, 1e-3, 0.};
-    // of the problems on the way, which are but starts for the next one
-    constexpr double tolerance_on_the_way = 1e-4;
-
     // Factors are used for a matrix whose degradation differs by this much at
     // most: Newton's method then needs another cheap solve or two instead of
     // a factorisation.

@@ -30,7 +30,7 @@ namespace MixedCracks
     constexpr dealii::types::boundary_id reentrant_horizontal = n_box_sides;
     constexpr dealii::types::boundary_id reentrant_vertical   = n_box_sides + 1;
 
-    const std::string path = "Geometry/L-shape/";
+    const std::string l_shape_path = "Geometry/L-shape/";
   } // namespace
 
 
@@ -38,7 +38,7 @@ namespace MixedCracks
   std::string
   LShape::subsection() const
   {
-    return path;
+    return l_shape_path;
   }
 
 
@@ -64,8 +64,8 @@ namespace MixedCracks
   void
   LShape::check() const
   {
-    require_positive(size, path + "Size");
-    require_cell_size(cell_size, {size, size}, path + "Cell size");
+    require_positive(size, l_shape_path + "Size");
+    require_cell_size(cell_size, {size, size}, l_shape_path + "Cell size");
   }
 
 

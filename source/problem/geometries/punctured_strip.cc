@@ -31,7 +31,7 @@ namespace MixedCracks
     constexpr dealii::types::boundary_id hole  = n_box_sides;
     constexpr dealii::types::boundary_id notch = n_box_sides + 1;
 
-    const std::string path = "Geometry/Punctured strip/";
+    const std::string strip_path = "Geometry/Punctured strip/";
   } // namespace
 
 
@@ -39,7 +39,7 @@ namespace MixedCracks
   std::string
   PuncturedStrip::subsection() const
   {
-    return path;
+    return strip_path;
   }
 
 
@@ -84,16 +84,17 @@ namespace MixedCracks
   void
   PuncturedStrip::check() const
   {
-    require_positive(measures.width, path + "Width");
-    require_positive(measures.height, path + "Height");
+    require_positive(measures.width, strip_path + "Width");
+    require_positive(measures.height, strip_path + "Height");
     require_cell_size(measures.cell_size,
                       {measures.width, measures.height},
-                      path + "Cell size");
+                      strip_path + "Cell size");
     if (measures.has_hole())
       check_hole();
     if (measures.has_notch())
       check_notch();
-    measures.mirrored.check(path, fixed_lines(measures), measures.cell_size);
+    measures.mirrored.check(
+      strip_path, fixed_lines(measures), measures.cell_size);
   }
 
 
@@ -108,16 +109,16 @@ namespace MixedCracks
       std::min({x, measures.width - x, y, measures.height - y}) - radius;
 
     require(std::isfinite(radius) && radius >= 1e-3 * measures.cell_size,
-            path + "Hole radius is " + number_text(radius) +
+            strip_path + "Hole radius is " + number_text(radius) +
               " mm; a hole needs at least a thousandth of the cell size of " +
               number_text(measures.cell_size) + " mm (0: no hole).");
-    require(room >= smallest_ligament * radius,
-            path + "Hole center is " + point_text({x, y}) + " with radius " +
-              number_text(radius) + ": the hole must lie inside the strip of " +
-              number_text(measures.width) + " x " +
-              number_text(measures.height) + " mm and leave at least " +
-              number_text(smallest_ligament * radius) +
-              " mm to each edge; it leaves " + number_text(room) + " mm.");
+    require(
+      room >= smallest_ligament * radius,
+      strip_path + "Hole center is " + point_text({x, y}) + " with radius " +
+        number_text(radius) + ": the hole must lie inside the strip of " +
+        number_text(measures.width) + " x " + number_text(measures.height) +
+        " mm and leave at least " + number_text(smallest_ligament * radius) +
+        " mm to each edge; it leaves " + number_text(room) + " mm.");
   }
 
 
@@ -128,15 +129,15 @@ namespace MixedCracks
     const double length = measures.notch_length;
     const double height = measures.notch_height;
     require(std::isfinite(length) && length < measures.width,
-            path + "Notch length is " + number_text(length) +
+            strip_path + "Notch length is " + number_text(length) +
               " mm; it must be less than the width of " +
               number_text(measures.width) + " mm.");
     require(length >= 1e-3 * measures.cell_size,
-            path + "Notch length is " + number_text(length) +
+            strip_path + "Notch length is " + number_text(length) +
               " mm; a notch needs at least a thousandth of the cell size of " +
               number_text(measures.cell_size) + " mm (0: no notch).");
     require(height > 0. && height < measures.height,
-            path + "Notch height is " + number_text(height) +
+            strip_path + "Notch height is " + number_text(height) +
               " mm; it must lie between 0 and the height of " +
               number_text(measures.height) + " mm, both excluded.");
     if (!measures.has_hole())
@@ -145,9 +146,9 @@ namespace MixedCracks
     const dealii::Point<2> &center = measures.hole_center;
     const double            radius = measures.hole_radius;
     const double            room   = smallest_ligament * radius;
-    const std::string found = path + "Notch height is " + number_text(height) +
-                              " and Notch length " + number_text(length) +
-                              " mm: ";
+    const std::string       found  = strip_path + "Notch height is " +
+                              number_text(height) + " and Notch length " +
+                              number_text(length) + " mm: ";
     const std::string about_hole = "the hole of radius " + number_text(radius) +
                                    " at " + point_text({center[0], center[1]});
     const dealii::Point<2> nearest(std::min(length, center[0]), height);

@@ -36,8 +36,8 @@ namespace MixedCracks
 
   namespace
   {
-    const std::string path = "Geometry/Quadrilateral/";
-    const std::string corners_parameter(path + "Corners");
+    const std::string quadrilateral_path = "Geometry/Quadrilateral/";
+    const std::string corners_parameter(quadrilateral_path + "Corners");
 
     // in the order of the corners they begin at
     constexpr std::array<BoxSide, 4> sides = {{bottom, right, top, left}};
@@ -55,7 +55,7 @@ namespace MixedCracks
   std::string
   Quadrilateral::subsection() const
   {
-    return path;
+    return quadrilateral_path;
   }
 
 
@@ -104,7 +104,7 @@ namespace MixedCracks
   std::vector<unsigned int>
   Quadrilateral::cell_numbers() const
   {
-    return read_cell_numbers(cells, 2, path + "Cells");
+    return read_cell_numbers(cells, 2, quadrilateral_path + "Cells");
   }
 
 
