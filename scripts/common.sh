@@ -77,7 +77,7 @@ run_stoppably() {
 
 # configure_and_build DIRECTORY TYPE [TARGET]
 configure_and_build() {
-  local directory=$1 type=$2 generator=() home=''
+  local directory=$1 type=$2 new=() home=''
   if [ -f "$directory/CMakeCache.txt" ]; then
     home=$(sed -n 's/^CMAKE_HOME_DIRECTORY:INTERNAL=//p' "$directory/CMakeCache.txt")
     if [ "$home" != "$root" ]; then # the checkout has been moved or copied
@@ -85,10 +85,13 @@ configure_and_build() {
       home=''
     fi
   fi
-  # a directory that was configured by hand keeps its generator
-  if [ -z "$home" ]; then generator=(-G Ninja); fi
+  # A directory that was configured by hand keeps its generator. Ten files of the
+  # library in one: built once, they take a quarter of the time.
+  if [ -z "$home" ]; then
+    new=(-G Ninja -DCMAKE_UNITY_BUILD=ON -DCMAKE_UNITY_BUILD_BATCH_SIZE=10)
+  fi
   say "Configuring ($type) in $directory"
-  cmake -S "$root" -B "$directory" "${generator[@]}" -DCMAKE_BUILD_TYPE="$type" \
+  cmake -S "$root" -B "$directory" "${new[@]}" -DCMAKE_BUILD_TYPE="$type" \
     || fail "configuring failed; the messages above say why"
   say "Building with $(build_jobs) compiler(s) at a time"
   cmake --build "$directory" --parallel "$(build_jobs)" ${3:+--target "$3"} \
