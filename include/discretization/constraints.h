@@ -6,9 +6,12 @@
 
 #include <deal.II/lac/affine_constraints.h>
 
+#include <discretization/boundary_ids.h>
 #include <discretization/fields.h>
 
+#include <functional>
 #include <memory>
+#include <utility>
 #include <vector>
 
 namespace MixedCracks
@@ -17,8 +20,8 @@ namespace MixedCracks
   template <int dim>
   struct PrescribedComponent
   {
-    dealii::types::boundary_id boundary;
-    unsigned int               component;
+    BoundaryIds  boundary;
+    unsigned int component;
     /// value in mm; has as many components as the elastic element, of which
     /// `component` is asked; its time is set before
     std::shared_ptr<dealii::Function<dim>> value;
@@ -33,6 +36,9 @@ namespace MixedCracks
     std::shared_ptr<dealii::Function<dim>> value; ///< as above
     /// whether the value is ever another one than 0
     bool moves = true;
+    /// one of several that follow from the mesh: nothing is wrong when it is a
+    /// hanging node, which follows its neighbours
+    bool of_set = false;
   };
 
   /// Hanging nodes and prescribed displacements. Newton corrections vanish on
@@ -45,6 +51,14 @@ namespace MixedCracks
     Constraints(const Fields<dim>                    &fields,
                 std::vector<PrescribedComponent<dim>> prescribed,
                 std::vector<PrescribedPoint<dim>>     points = {});
+
+    /// Where the points depend on the mesh: what reinit() asks for them first.
+    /// Has to give the same on all ranks; may be collective.
+    void
+    take_points_from(std::function<std::vector<PrescribedPoint<dim>>()> source)
+    {
+      source_of_points = std::move(source);
+    }
 
     /// To be called when the mesh changed. Throws InputError on all ranks when
     /// a prescribed point is no vertex of the mesh.
@@ -106,10 +120,11 @@ namespace MixedCracks
     /// number for the others. Collective.
     std::vector<dealii::types::global_dof_index> find_points() const;
 
-    const Fields<dim>                           &fields;
-    std::vector<PrescribedComponent<dim>>        prescribed;
-    std::vector<PrescribedPoint<dim>>            points;
-    std::vector<dealii::types::global_dof_index> point_dofs;
+    const Fields<dim>                                 &fields;
+    std::vector<PrescribedComponent<dim>>              prescribed;
+    std::vector<PrescribedPoint<dim>>                  points;
+    std::function<std::vector<PrescribedPoint<dim>>()> source_of_points;
+    std::vector<dealii::types::global_dof_index>       point_dofs;
 
     dealii::AffineConstraints<double> elastic_hanging;
     dealii::AffineConstraints<double> elastic_newton;

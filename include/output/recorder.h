@@ -34,8 +34,8 @@ namespace MixedCracks
     const EventParameters                  &events;
     double                                  thickness; ///< mm; 1 in 3-d
     /// see BoundaryQuantities
-    std::optional<dealii::types::boundary_id> force_boundary;
-    bool                                      finite_strain = false;
+    BoundaryIds force_boundary;
+    bool        finite_strain = false;
   };
 
   /// Keeps what a run is to leave behind: the rows of statistics.csv, cracks

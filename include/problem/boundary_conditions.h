@@ -6,7 +6,8 @@
 
 #include <deal.II/base/function.h>
 #include <deal.II/base/parameter_handler.h>
-#include <deal.II/base/types.h>
+
+#include <discretization/boundary_ids.h>
 
 #include <functional>
 #include <map>
@@ -50,13 +51,15 @@ namespace MixedCracks
     std::shared_ptr<const Expression> expression;
   };
 
-  /// One entry "point : component : expression".
+  /// One entry "point : component : expression", or with the name of a point
+  /// set in the place of the point.
   template <int dim>
   struct PointEntry
   {
     dealii::Point<dim>                point; ///< mm
     unsigned int                      component;
     std::shared_ptr<const Expression> expression;
+    std::string                       set; ///< empty: the point
   };
 
   /// Subsection "Boundary conditions".
@@ -64,15 +67,15 @@ namespace MixedCracks
   class BoundaryConditions
   {
   public:
-    using BoundaryIds = std::map<std::string, dealii::types::boundary_id>;
-
     /// Enters the subsection itself.
     void add_parameters(dealii::ParameterHandler &prm);
 
     /// Throws InputError for entries that cannot be read or name a boundary
     /// that is not in @p boundaries; @p hint says more about those.
-    void check(const BoundaryIds                  &boundaries,
-               const std::function<std::string()> &hint = {}) const;
+    /// @p point_sets: the names of those.
+    void check(const NamedBoundaries              &boundaries,
+               const std::function<std::string()> &hint       = {},
+               const std::vector<std::string>     &point_sets = {}) const;
 
     /// Entries of "Displacement", 'all' spread over the components; those on
     /// the phase field have component dim.

@@ -83,7 +83,7 @@ namespace MixedCracks
       found.push_back(dof != numbers::invalid_dof_index ? 1 : 0);
     Utilities::MPI::max(found, fields.communicator(), found);
     for (std::size_t i = 0; i < points.size(); ++i)
-      if (found[i] == 0)
+      if (found[i] == 0 && !points[i].of_set)
       {
         std::ostringstream message;
         message << "Boundary conditions/Displacement at points: found '"
@@ -116,15 +116,18 @@ namespace MixedCracks
     DoFTools::make_hanging_node_constraints(fields.phase_field,
                                             phase_field_hanging);
 
+    if (source_of_points)
+      points = source_of_points();
     prescribed_dofs.clear();
     prescribed_dofs.set_size(fields.elastic.n_dofs());
     for (const PrescribedComponent<dim> &entry : prescribed)
     {
       const ComponentMask mask(mask_of(entry));
-      DoFTools::make_zero_boundary_constraints(
-        fields.elastic, entry.boundary, elastic_newton, mask);
-      prescribed_dofs.add_indices(DoFTools::extract_boundary_dofs(
-        fields.elastic, mask, std::set<types::boundary_id>{entry.boundary}));
+      for (const types::boundary_id id : entry.boundary)
+        DoFTools::make_zero_boundary_constraints(
+          fields.elastic, id, elastic_newton, mask);
+      prescribed_dofs.add_indices(
+        DoFTools::extract_boundary_dofs(fields.elastic, mask, entry.boundary));
     }
     point_dofs = find_points();
     for (const types::global_dof_index dof : point_dofs)
@@ -155,12 +158,11 @@ namespace MixedCracks
            ++entry)
       {
         entry->value->set_time(time);
-        VectorTools::interpolate_boundary_values(fields.mapping,
-                                                 fields.elastic,
-                                                 entry->boundary,
-                                                 *entry->value,
-                                                 values,
-                                                 mask_of(*entry));
+        std::map<types::boundary_id, const Function<dim> *> on_ids;
+        for (const types::boundary_id id : entry->boundary)
+          on_ids[id] = entry->value.get();
+        VectorTools::interpolate_boundary_values(
+          fields.mapping, fields.elastic, on_ids, values, mask_of(*entry));
       }
       for (std::size_t i = 0; i < points.size(); ++i)
         if (point_dofs[i] != numbers::invalid_dof_index)

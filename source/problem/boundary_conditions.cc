@@ -72,6 +72,16 @@ namespace MixedCracks
 
 
 
+    // what a name of a point set does and a number does not
+    bool
+    begins_with_letter(const std::string &text)
+    {
+      return !text.empty() && !is_digit(text[0]) &&
+             std::string("+-.").find(text[0]) == std::string::npos;
+    }
+
+
+
     // a second value of one component on one boundary would be lost
     template <int dim>
     void
@@ -156,7 +166,8 @@ namespace MixedCracks
       point_displacement_text,
       "Prescribed displacement of single vertices of the mesh, as of the "
       "supports of a beam: 'point : component : expression ; ...', as in '0, 0 "
-      ": y : 0'. Where a boundary prescribes the same component, the boundary "
+      ": y : 0', or with the name of one of Geometry/Point sets in the place of "
+      "the point. Where a boundary prescribes the same component, the boundary "
       "decides. Points alone may hold the body, too. The stress under a single "
       "node grows without limit as cells shrink: keep cracks away from it. "
       "Unit: mm.");
@@ -199,6 +210,13 @@ namespace MixedCracks
     for (const BoundaryEntry<dim> &entry :
          read_entries<dim>(point_displacement_text, true, false, points_name))
     {
+      PointEntry<dim> at{{}, entry.component, entry.expression, ""};
+      if (begins_with_letter(entry.boundary))
+      {
+        at.set = single_spaced(entry.boundary);
+        result.push_back(at);
+        continue;
+      }
       const std::vector<double> numbers =
         parse_numbers(entry.boundary, points_name);
       if (numbers.size() != dim)
@@ -206,7 +224,6 @@ namespace MixedCracks
                          "', allowed is a point of " + std::to_string(dim) +
                          " numbers, as '" + (dim == 2 ? "0, 1" : "0, 1, 2") +
                          "'.");
-      PointEntry<dim> at{{}, entry.component, entry.expression};
       std::copy(numbers.begin(), numbers.end(), at.point.begin_raw());
       result.push_back(at);
     }
@@ -253,8 +270,10 @@ namespace MixedCracks
 
   template <int dim>
   void
-  BoundaryConditions<dim>::check(const BoundaryIds                  &boundaries,
-                                 const std::function<std::string()> &hint) const
+  BoundaryConditions<dim>::check(
+    const NamedBoundaries              &boundaries,
+    const std::function<std::string()> &hint,
+    const std::vector<std::string>     &point_sets) const
   {
     std::vector<std::string> names;
     for (const auto &boundary : boundaries)
@@ -274,7 +293,19 @@ namespace MixedCracks
       require_known(entry.boundary, displacement_name);
       any_displacement = any_displacement || entry.component < dim;
     }
-    const bool any_point = !point_displacements().empty();
+    const auto points    = point_displacements();
+    const bool any_point = !points.empty();
+    for (const PointEntry<dim> &entry : points)
+      if (!entry.set.empty() &&
+          std::find(point_sets.begin(), point_sets.end(), entry.set) ==
+            point_sets.end())
+        throw InputError(points_name + ": found '" + entry.set +
+                         "', allowed is a point of " + std::to_string(dim) +
+                         " numbers, as '" + (dim == 2 ? "0, 1" : "0, 1, 2") +
+                         "', or the name of one of Geometry/Point sets, " +
+                         (point_sets.empty()
+                            ? "of which there are none."
+                            : "which are " + join_names(point_sets) + "."));
     if (!any_displacement && !any_point)
       throw InputError(displacement_name +
                        ": no displacement is prescribed anywhere, here or in "

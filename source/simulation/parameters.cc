@@ -71,9 +71,10 @@ namespace MixedCracks
     model.check(dim);
     material.check();
     const auto boundaries = geometry.chosen().boundary_ids();
-    boundary_conditions.check(boundaries, [this]() {
-      return geometry.chosen().hint_about_boundaries();
-    });
+    boundary_conditions.check(
+      boundaries,
+      [this]() { return geometry.chosen().hint_about_boundaries(); },
+      geometry.point_sets().names());
     fluid.check();
     if (model.strain.is_finite() && fluid.pressure())
       throw InputError("Fluid/Pressure: found '" + fluid.pressure_text +

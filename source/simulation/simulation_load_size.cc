@@ -90,7 +90,11 @@ namespace MixedCracks
       if (entry.component < dim)
         add(displacement, size_of<dim>(entry.expression, places, time));
     for (const auto &entry : given.point_displacements())
-      add(displacement, size_of<dim>(entry.expression, {entry.point}, time));
+      add(displacement,
+          size_of<dim>(entry.expression,
+                       entry.set.empty() ? std::vector<Point<dim>>{entry.point}
+                                         : places,
+                       time));
     result.strain = displacement / extent;
     for (const auto &[boundary, traction] : given.tractions(dim))
     {

@@ -89,8 +89,7 @@ namespace MixedCracks
       return {};
     }
     std::vector<Point<dim>> points;
-    for (const auto &entry :
-         parameters.boundary_conditions.point_displacements())
+    for (const auto &entry : placed_points(parameters, triangulation, true))
       points.push_back(entry.point);
     for (const auto &entry : parameters.point_displacements.points())
       points.push_back(entry.position);

@@ -339,6 +339,34 @@ GEOMETRY = [
         says=("Mesh/Refined boxes", "50")),
 ]
 
+REGIONS = "Geometry/Boundary regions"
+POINT_SETS = "Geometry/Point sets"
+AT_POINTS = "Boundary conditions/Displacement at points"
+BY_POSITION = [
+    entry(REGIONS, "grip : x > 21", "'grip : x > 21'", "coarse mesh",
+          r"nearest are \(20, "),
+    entry(REGIONS, "a : x < 0.1 ; b : x < 1", "'a : x < 0.1'", "later region"),
+    entry(REGIONS, "top : x > 1", "'top'", "has already", "notch lower"),
+    entry(REGIONS, "notch tip : x > 1", "'notch tip'", "has already"),
+    entry(REGIONS, "grip", "'grip'", "name : condition"),
+    entry(REGIONS, "grip : x < t", "'x < t'", "unknown name 't'"),
+    entry(REGIONS, "grip : x <", "'x <'", "cannot understand"),
+    entry(REGIONS, "grip : y > 1 ; grip : y > 2", "second condition", r"'\|\|'"),
+    entry(REGIONS, "grip : sqrt(x - 30) > 1", FINITE),
+    several("an unknown region", [(REGIONS, "grip : x > 19"), (
+        "Boundary conditions/Traction", "grap : x : 1")], "Traction", "'grap'",
+            "did you mean 'grip'"),
+    entry(POINT_SETS, "pin", "'pin'", "name : condition"),
+    entry(POINT_SETS, "2nd : x < 1", "'2nd'", "begin with a letter"),
+    several("a point set without points", [
+        (POINT_SETS, "pin : x > 50"), (AT_POINTS, "pin : x : 0")],
+            POINT_SETS, "'pin : x > 50'", r"nearest are \(20, "),
+    several("an unknown point set", [
+        (POINT_SETS, "pin : x > 5"), (AT_POINTS, "bin : x : 0")],
+            AT_POINTS, "'bin'", "which are pin"),
+    entry(AT_POINTS, "pin : x : 0", "'pin'", "there are none"),
+]
+
 MODEL = [
     # the profile of the notch is computed before the first load step
     dict(entry("Model/Largest number of coupling iterations", "1"), status=3,
@@ -385,7 +413,8 @@ MODEL = [
 
 CONDITIONS = [
     conditions("", "no displacement", "top"),
-    conditions("lid : all : 0", "'lid'", "bottom, hole, left, notch, right, top"),
+    conditions("lid : all : 0", "'lid'", "bottom, hole, left, notch, notch lower, notch upper, "
+               "right, top"),
     conditions("top : w : 0", "'w'", "all"),
     conditions("top : z : 0", "'z'", "all"),
     conditions("top : all", "'top : all'", "boundary : component : expression"),
@@ -509,5 +538,5 @@ COMMAND_LINE = [
           "--resume", "--overwrite", "exclude"),
 ]
 
-CASES = (PARAMETER_FILE + VALUES + MATERIAL + GEOMETRY + MODEL + CONDITIONS
+CASES = (PARAMETER_FILE + VALUES + MATERIAL + GEOMETRY + BY_POSITION + MODEL + CONDITIONS
          + OUTPUT + COMMAND_LINE)

@@ -18,10 +18,15 @@ namespace MixedCracks
   public:
     void add_parameters(dealii::ParameterHandler &prm) override;
 
+    /// One rank reads the file. Throws as create().
     void check() const override;
 
-    std::map<std::string, dealii::types::boundary_id>
-    boundary_ids() const override;
+    /// Those of the .prm, and under the names of the file the others. Reads it
+    /// where check() has not, on this rank alone.
+    NamedBoundaries boundary_ids() const override;
+
+    std::map<dealii::types::boundary_id, std::string>
+    names_of_ids() const override;
 
     std::optional<dealii::BoundingBox<dim>> extent() const override;
 
@@ -38,11 +43,11 @@ namespace MixedCracks
     /// cylinder along z.
     struct Circle
     {
-      dealii::types::boundary_id boundary;
-      std::string                name;
-      dealii::Point<dim>         center;
-      double                     radius;
-      bool                       is_cylinder;
+      BoundaryIds        boundary;
+      std::string        name;
+      dealii::Point<dim> center;
+      double             radius;
+      bool               is_cylinder;
 
       double distance(const dealii::Point<dim> &point) const;
     };
@@ -58,9 +63,19 @@ namespace MixedCracks
                     const Circle               &circle,
                     dealii::types::manifold_id  id) const;
 
+    /// The mesh of the file with that @p text, which goes into @p mesh, and
+    /// what it calls the parts of its boundary.
+    FileBoundaries build(const std::string          &text,
+                         dealii::Triangulation<dim> &mesh) const;
+
+    const FileBoundaries &boundaries(MPI_Comm reading) const;
+
     std::string file_name;
     std::string boundary_names;
     std::string circles;
+    /// of the file and names that are in `read_for`, to read it once
+    mutable FileBoundaries known;
+    mutable std::string    read_for;
   };
 } // namespace MixedCracks
 

@@ -9,6 +9,8 @@
 // All ranks do the last three alike: the coarse mesh has to be the same
 // everywhere. Boundaries that the .prm knows by a number keep it as their id;
 // those known by a name get ids above the largest number that a file may use.
+// What names there are the file tells as well, so that it is read once more
+// when a case is checked.
 
 #include <base/text.h>
 
@@ -72,7 +74,8 @@ namespace MixedCracks
                       "Abaqus' surfaces, sets of elements of one dimension "
                       "less, and sets of nodes (all faces whose nodes are in "
                       "it). The rest of the boundary has the id 0. A face in "
-                      "two parts belongs to the one that has a name here.",
+                      "several parts has all of their names. Names of the file "
+                      "hold as they are where none is given here.",
                       Anything());
     prm.add_parameter("Circles",
                       circles,
@@ -92,7 +95,8 @@ namespace MixedCracks
     require(!file_name.empty(),
             subsection + "File name is empty; the geometry 'mesh file' needs "
                          "the path of a mesh.");
-    boundary_ids();
+    parsed_names();
+    boundaries(MPI_COMM_WORLD);
     parsed_circles();
   }
 
@@ -131,13 +135,59 @@ namespace MixedCracks
 
 
   template <int dim>
-  std::map<std::string, dealii::types::boundary_id>
+  FileBoundaries
+  MeshFile<dim>::build(const std::string          &text,
+                       dealii::Triangulation<dim> &mesh) const
+  {
+    const MeshScan    scan = scan_mesh(text, dim);
+    MeshBuilder<dim>  builder(scan.contents);
+    const std::string problem =
+      scan.problem.empty() ? builder.build(mesh) : scan.problem;
+    require(problem.empty(),
+            subsection + "File name: the file '" + file_name + "' " + problem +
+              ".");
+    FileBoundaries    result;
+    const std::string wrong =
+      builder.set_boundary_ids(parsed_names(), mesh, result);
+    require(wrong.empty(),
+            subsection + "Boundary names: " + wrong + " ('" + file_name +
+              "').");
+    return result;
+  }
+
+
+
+  template <int dim>
+  const FileBoundaries &
+  MeshFile<dim>::boundaries(const MPI_Comm reading) const
+  {
+    const std::string key = file_name + '\n' + boundary_names;
+    if (read_for != key)
+    {
+      dealii::Triangulation<dim> mesh;
+      known = build(
+        read_file_once(file_name, reading, subsection + "File name"), mesh);
+      read_for = key;
+    }
+    return known;
+  }
+
+
+
+  template <int dim>
+  NamedBoundaries
   MeshFile<dim>::boundary_ids() const
   {
-    std::map<std::string, dealii::types::boundary_id> ids;
-    for (const BoundaryName &name : parsed_names())
-      ids[name.name] = name.id;
-    return ids;
+    return boundaries(MPI_COMM_SELF).ids;
+  }
+
+
+
+  template <int dim>
+  std::map<dealii::types::boundary_id, std::string>
+  MeshFile<dim>::names_of_ids() const
+  {
+    return boundaries(MPI_COMM_SELF).names;
   }
 
 
@@ -191,21 +241,12 @@ namespace MixedCracks
   void
   MeshFile<dim>::create(dealii::Triangulation<dim> &triangulation) const
   {
-    const std::string parameter = subsection + "File name";
-    const std::string text =
-      read_file_once(file_name, triangulation.get_communicator(), parameter);
+    const std::string text = read_file_once(
+      file_name, triangulation.get_communicator(), subsection + "File name");
     // a serial mesh, every rank's own
     dealii::Triangulation<dim> mesh;
-    const MeshScan             scan = scan_mesh(text, dim);
-    MeshBuilder<dim>           builder(scan.contents);
-    const std::string          problem =
-      scan.problem.empty() ? builder.build(mesh) : scan.problem;
-    require(problem.empty(),
-            parameter + ": the file '" + file_name + "' " + problem + ".");
-    const std::string wrong = builder.set_boundary_ids(parsed_names(), mesh);
-    require(wrong.empty(),
-            subsection + "Boundary names: " + wrong + " ('" + file_name +
-              "').");
+    known    = build(text, mesh);
+    read_for = file_name + '\n' + boundary_names;
 
     mesh.reset_all_manifolds();
     mesh.set_all_manifold_ids(dealii::numbers::flat_manifold_id);
@@ -238,7 +279,8 @@ namespace MixedCracks
       return "Names are given in " + names + ".";
     return "The boundary of the file '" + file_name + "' has " +
            builder.known_boundaries() + "; " + names +
-           " gives them names, as in '1 = bottom'.";
+           " gives them names, as in '1 = bottom', and Geometry/Boundary "
+           "regions names parts by their position.";
   }
 
 
@@ -253,7 +295,8 @@ namespace MixedCracks
       for (const unsigned int f : cell->face_indices())
       {
         const auto face = cell->face(f);
-        if (!face->at_boundary() || face->boundary_id() != circle.boundary)
+        if (!face->at_boundary() ||
+            !circle.boundary.contains(face->boundary_id()))
           continue;
         for (const unsigned int v : face->vertex_indices())
         {
