@@ -352,15 +352,15 @@ BY_POSITION = [
     entry(REGIONS, "grip : x < t", "'x < t'", "unknown name 't'"),
     entry(REGIONS, "grip : x <", "'x <'", "cannot understand"),
     entry(REGIONS, "grip : y > 1 ; grip : y > 2", "second condition", r"'\|\|'"),
-    entry(REGIONS, "grip : sqrt(x - 30) > 1", FINITE),
+    entry(REGIONS, "grip : 1/(x - 20)", FINITE, "infinity at x = 20"),
     several("an unknown region", [(REGIONS, "grip : x > 19"), (
         "Boundary conditions/Traction", "grap : x : 1")], "Traction", "'grap'",
             "did you mean 'grip'"),
     entry(POINT_SETS, "pin", "'pin'", "name : condition"),
     entry(POINT_SETS, "2nd : x < 1", "'2nd'", "begin with a letter"),
     several("a point set without points", [
-        (POINT_SETS, "pin : x > 50"), (AT_POINTS, "pin : x : 0")],
-            POINT_SETS, "'pin : x > 50'", r"nearest are \(20, "),
+        (POINT_SETS, "pin : x > 30"), (AT_POINTS, "pin : x : 0")],
+            POINT_SETS, "'pin : x > 30'", r"nearest are \(20, "),
     several("an unknown point set", [
         (POINT_SETS, "pin : x > 5"), (AT_POINTS, "bin : x : 0")],
             AT_POINTS, "'bin'", "which are pin"),
