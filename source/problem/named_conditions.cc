@@ -5,7 +5,7 @@
 // A condition that no point meets is a slip of the pen, and the message should
 // say where the author may have meant it to be. A formula does not tell how far
 // a point is from meeting it, so that it is tried on a grid of points in the
-// box around all that were asked and as far again around that box: of the
+// box around all that were asked and around that box: of the
 // places where it holds, those next to a point count,
 //
 //   min over places p with c(p) != 0 of |x - p|   for each point x.
@@ -35,6 +35,10 @@ namespace MixedCracks
     constexpr unsigned int n_tried_2d = 121;
     constexpr unsigned int n_tried_3d = 37;
 
+    // how far around all points it is tried, in lengths of the box around them;
+    // farther where it does not hold nearer
+    constexpr double extensions[] = {1., 10., 100.};
+
     // of those where it holds, about as many are looked at
     constexpr std::size_t most_places = 2000;
 
@@ -63,13 +67,13 @@ namespace MixedCracks
 
     template <int dim>
     dealii::BoundingBox<dim>
-    surroundings(const std::vector<Point<dim>> &points)
+    surroundings(const std::vector<Point<dim>> &points, const double extension)
     {
       dealii::BoundingBox<dim> box(points);
       double                   length = 0.;
       for (unsigned int d = 0; d < dim; ++d)
         length = std::max(length, box.side_length(d));
-      box.extend(length);
+      box.extend(extension * length);
       return box;
     }
 
@@ -78,10 +82,12 @@ namespace MixedCracks
     template <int dim>
     std::vector<Point<dim>>
     places_where(const NamedCondition<dim>     &condition,
-                 const std::vector<Point<dim>> &points)
+                 const std::vector<Point<dim>> &points,
+                 const double                   extension)
     {
-      const auto         corners = surroundings(points).get_boundary_points();
-      const unsigned int n       = dim == 2 ? n_tried_2d : n_tried_3d;
+      const auto corners =
+        surroundings(points, extension).get_boundary_points();
+      const unsigned int      n = dim == 2 ? n_tried_2d : n_tried_3d;
       std::vector<Point<dim>> places;
       unsigned int            n_all = 1;
       for (unsigned int d = 0; d < dim; ++d)
@@ -163,7 +169,10 @@ namespace MixedCracks
   nearest_points(const NamedCondition<dim>     &condition,
                  const std::vector<Point<dim>> &points)
   {
-    const std::vector<Point<dim>> places = places_where(condition, points);
+    std::vector<Point<dim>> places;
+    for (const double extension : extensions)
+      if (places.empty())
+        places = places_where(condition, points, extension);
     if (places.empty())
       return {};
     const std::size_t stride = 1 + places.size() / most_places;

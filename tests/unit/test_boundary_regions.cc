@@ -117,10 +117,10 @@ TEST(BoundaryRegions, TakeFacesByTheirCentreAndTheLaterWins)
 TEST(BoundaryRegions, PartsOfTheBodyKeepTheirNamesForCracks)
 {
   const Described<> described(
-    {{"Name", "punctured strip"},
-     {"Boundary regions",
-      "pumped : (x - 12)^2 + (y - 18)^2 < 17 && x > 12 ; "
-      "mouth : y > 11 && y < 13 && x < 0.9"}});
+    Entries({{"Name", "punctured strip"},
+             {"Boundary regions",
+              "pumped : (x - 12)^2 + (y - 18)^2 < 17 && x > 12 ; "
+              "mouth : y > 11 && y < 13 && x < 0.9"}}));
   const Geometry<2> &geometry = described.parameters.chosen();
   Triangulation<2>   mesh;
   geometry.create(mesh);
@@ -147,8 +147,8 @@ TEST(BoundaryRegions, PartsOfTheBodyKeepTheirNamesForCracks)
 TEST(BoundaryRegions, InThreeDimensions)
 {
   const Described<3> described(
-    {{"Name", "slit cube"},
-     {"Boundary regions", "patch : z > 0.99 && x < 0.5 && y < 0.5"}});
+    Entries({{"Name", "slit cube"},
+             {"Boundary regions", "patch : z > 0.99 && x < 0.5 && y < 0.5"}}));
   described.parameters.check();
   Triangulation<3> mesh;
   described.parameters.chosen().create(mesh);
@@ -170,7 +170,7 @@ TEST(BoundaryRegions, InThreeDimensions)
 
 TEST(BoundaryRegions, SlitFacesBelongToTheCellsBesideThem)
 {
-  for (const std::string &name : {"slit square", "punctured strip"})
+  for (const std::string name : {"slit square", "punctured strip"})
   {
     const auto        geometry = all_geometries<2>().make(name);
     const auto        ids      = geometry->boundary_ids();
