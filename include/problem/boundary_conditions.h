@@ -8,6 +8,8 @@
 #include <deal.II/base/parameter_handler.h>
 #include <deal.II/base/types.h>
 
+#include <problem/rotation.h>
+
 #include <functional>
 #include <map>
 #include <memory>
@@ -25,19 +27,26 @@ namespace MixedCracks
     explicit ExpressionFunction(const unsigned int n_components)
       : dealii::Function<dim>(n_components)
       , expressions(n_components)
+      , rotations(n_components)
     {}
 
+    /// With @p rotation the expression is an angle (rad), and the value that
+    /// component of the displacement.
     void
-    set(const unsigned int component, std::shared_ptr<const Expression> value)
+    set(const unsigned int                   component,
+        std::shared_ptr<const Expression>    value,
+        std::shared_ptr<const Rotation<dim>> rotation = nullptr)
     {
       expressions[component] = std::move(value);
+      rotations[component]   = std::move(rotation);
     }
 
     double value(const dealii::Point<dim> &point,
                  const unsigned int        component) const override;
 
   private:
-    std::vector<std::shared_ptr<const Expression>> expressions;
+    std::vector<std::shared_ptr<const Expression>>    expressions;
+    std::vector<std::shared_ptr<const Rotation<dim>>> rotations;
   };
 
   /// One entry "boundary : component : expression", or "component :
@@ -45,9 +54,11 @@ namespace MixedCracks
   template <int dim>
   struct BoundaryEntry
   {
-    std::string                       boundary;
-    unsigned int                      component; ///< dim: the phase field
-    std::shared_ptr<const Expression> expression;
+    std::string boundary;
+    /// dim: the phase field, in tractions the normal
+    unsigned int                         component;
+    std::shared_ptr<const Expression>    expression;
+    std::shared_ptr<const Rotation<dim>> rotation{}; ///< by the expression
   };
 
   /// One entry "point : component : expression".
@@ -81,9 +92,17 @@ namespace MixedCracks
     /// Entries of "Displacement at points", 'all' spread over the components.
     std::vector<PointEntry<dim>> point_displacements() const;
 
+    using LoadsByBoundary =
+      std::map<std::string, std::shared_ptr<ExpressionFunction<dim>>>;
+
     /// Nodal loads by boundary, components 0 to dim - 1; MPa.
-    std::map<std::string, std::shared_ptr<ExpressionFunction<dim>>>
-    tractions(unsigned int n_components) const;
+    LoadsByBoundary tractions(unsigned int n_components) const;
+
+    /// Of one component each: those along the outward normal; MPa.
+    LoadsByBoundary normal_tractions() const;
+
+    /// Likewise, positive where they press on the body; MPa.
+    LoadsByBoundary pressures() const;
 
     /// N/mm^3; null when there is none.
     std::shared_ptr<ExpressionFunction<dim>>
@@ -100,6 +119,7 @@ namespace MixedCracks
     std::string displacement_text;
     std::string point_displacement_text;
     std::string traction_text;
+    std::string pressure_text;
     std::string body_force_text;
     double      margin = 0.;
   };

@@ -5,7 +5,11 @@
 //   Displacement             u_c = u_D(x, t) on a boundary, mm
 //   Displacement at points   u_c = u_D(x, t) at a vertex, mm
 //     component phase field  phi = phi_D(x, t) on a boundary, within 0 and 1
+//     rotation about c       (R(u_D) - I)(x - c), u_D an angle in rad
 //   Traction                 ( tau(x, t), w ) on a boundary, tau in MPa
+//     component normal       tau n, n the outward normal before deformation
+//   Pressure                 ( -p(x, t) n, w ) on a boundary, p in MPa; finite
+//                            strain: ( -p cof(F) n, w )
 //   Body force               ( f(x, t), w ) in the body, f in N/mm^3
 //
 // Each component is a condition of its own: a roller has one, a clamp, "all",
@@ -39,13 +43,20 @@ namespace MixedCracks
     const std::string points_name =
       "Boundary conditions/Displacement at points";
     const std::string traction_name   = "Boundary conditions/Traction";
+    const std::string pressure_name   = "Boundary conditions/Pressure";
     const std::string body_force_name = "Boundary conditions/Body force";
 
-    // components a name stands for
+    // what may stand for component dim
+    const std::string phase_field = "phase field";
+    const std::string normal      = "normal";
+
+
+
+    // components a name stands for; @p more: what stands for component dim
     template <int dim>
     std::vector<unsigned int>
     components_of(const std::string &name,
-                  const bool         with_phase_field,
+                  const std::string &more,
                   const std::string &parameter)
     {
       std::vector<std::string> allowed = {"x", "y"};
@@ -61,11 +72,13 @@ namespace MixedCracks
           all.push_back(d);
         return all;
       }
-      if (with_phase_field && name == "phase field")
+      if (!more.empty() && name == more)
         return {dim};
       allowed.push_back("all");
-      if (with_phase_field)
-        allowed.push_back("phase field");
+      if (!more.empty())
+        allowed.push_back(more);
+      if (more == phase_field)
+        allowed.push_back(Rotation<dim>::form());
       throw InputError(parameter +
                        ": component: " + unknown_name_message(name, allowed));
     }
@@ -96,7 +109,7 @@ namespace MixedCracks
     std::vector<BoundaryEntry<dim>>
     read_entries(const std::string &text,
                  const bool         with_boundary,
-                 const bool         with_phase_field,
+                 const std::string &more,
                  const std::string &parameter)
     {
       std::vector<BoundaryEntry<dim>> result;
@@ -112,11 +125,15 @@ namespace MixedCracks
             "component : expression', several separated by ';'.");
         const auto expression =
           std::make_shared<const Expression>(parts[2], variables, parameter);
+        const auto rotation = more == phase_field
+                                ? Rotation<dim>::read(parts[1], parameter)
+                                : nullptr;
         for (const unsigned int component :
-             components_of<dim>(parts[1], with_phase_field, parameter))
+             rotation ? rotation->components()
+                      : components_of<dim>(parts[1], more, parameter))
         {
           require_new(result, parts[0], component, entry, parameter);
-          result.push_back({parts[0], component, expression});
+          result.push_back({parts[0], component, expression, rotation});
         }
       }
       return result;
@@ -133,8 +150,11 @@ namespace MixedCracks
   {
     if (!expressions[component])
       return 0.;
-    return (*expressions[component])(
+    const double value = (*expressions[component])(
       {point[0], point[1], dim == 3 ? point[dim - 1] : 0., this->get_time()});
+    return rotations[component]
+             ? rotations[component]->displacement(point, value)[component]
+             : value;
   }
 
 
@@ -149,8 +169,12 @@ namespace MixedCracks
       displacement_text,
       "Prescribed values: 'boundary : component : expression ; ...' with "
       "components x, y, z, all, phase field, and expressions in x, y, z, t. "
-      "Where two boundaries meet, the entry named first decides. Unit: mm "
-      "(phase field: 1).");
+      "Where two boundaries meet, the entry named first decides. 'rotation "
+      "about 0, 0' in place of the component turns the boundary as a rigid "
+      "whole, counter-clockwise, by the angle of the expression, u = "
+      "(R - I)(x - c); in 3-d 'rotation about 0, 0, 0 axis 0, 0, 1', or 'twist "
+      "about ...', which leaves the motion along the axis free. Unit: mm "
+      "(phase field: 1, angles: rad).");
     prm.add_parameter(
       "Displacement at points",
       point_displacement_text,
@@ -163,8 +187,17 @@ namespace MixedCracks
     prm.add_parameter("Traction",
                       traction_text,
                       "Forces per area on the boundary, 'boundary : component "
-                      ": expression ; ...'; at finite strain dead loads, per "
-                      "undeformed area. Unit: MPa.");
+                      ": expression ; ...' with components x, y, z, all, and "
+                      "normal, along the outward normal of the undeformed "
+                      "body; at finite strain dead loads, per undeformed area. "
+                      "Unit: MPa.");
+    prm.add_parameter("Pressure",
+                      pressure_text,
+                      "Pressures on the boundary, 'boundary : expression ; "
+                      "...', positive where they press on the body: t = -p n. "
+                      "At finite strain they follow it: normal to the deformed "
+                      "boundary, per deformed area, -p cof(F) n per undeformed "
+                      "area (not with plane stress). Unit: MPa.");
     prm.add_parameter("Body force",
                       body_force_text,
                       "Forces per volume, 'component : expression ; ...'; at "
@@ -186,7 +219,8 @@ namespace MixedCracks
   std::vector<BoundaryEntry<dim>>
   BoundaryConditions<dim>::displacements() const
   {
-    return read_entries<dim>(displacement_text, true, true, displacement_name);
+    return read_entries<dim>(
+      displacement_text, true, phase_field, displacement_name);
   }
 
 
@@ -197,7 +231,7 @@ namespace MixedCracks
   {
     std::vector<PointEntry<dim>> result;
     for (const BoundaryEntry<dim> &entry :
-         read_entries<dim>(point_displacement_text, true, false, points_name))
+         read_entries<dim>(point_displacement_text, true, "", points_name))
     {
       const std::vector<double> numbers =
         parse_numbers(entry.boundary, points_name);
@@ -218,13 +252,15 @@ namespace MixedCracks
   // One function of all components for each boundary, as the assembly goes
   // through boundaries. Components that are not named are 0.
   template <int dim>
-  std::map<std::string, std::shared_ptr<ExpressionFunction<dim>>>
+  typename BoundaryConditions<dim>::LoadsByBoundary
   BoundaryConditions<dim>::tractions(const unsigned int n_components) const
   {
-    std::map<std::string, std::shared_ptr<ExpressionFunction<dim>>> result;
+    LoadsByBoundary result;
     for (const BoundaryEntry<dim> &entry :
-         read_entries<dim>(traction_text, true, false, traction_name))
+         read_entries<dim>(traction_text, true, normal, traction_name))
     {
+      if (entry.component == dim)
+        continue;
       auto &function = result[entry.boundary];
       if (!function)
         function = std::make_shared<ExpressionFunction<dim>>(n_components);
@@ -236,11 +272,55 @@ namespace MixedCracks
 
 
   template <int dim>
+  typename BoundaryConditions<dim>::LoadsByBoundary
+  BoundaryConditions<dim>::normal_tractions() const
+  {
+    LoadsByBoundary result;
+    for (const BoundaryEntry<dim> &entry :
+         read_entries<dim>(traction_text, true, normal, traction_name))
+      if (entry.component == dim)
+      {
+        auto function = std::make_shared<ExpressionFunction<dim>>(1);
+        function->set(0, entry.expression);
+        result[entry.boundary] = function;
+      }
+    return result;
+  }
+
+
+
+  template <int dim>
+  typename BoundaryConditions<dim>::LoadsByBoundary
+  BoundaryConditions<dim>::pressures() const
+  {
+    LoadsByBoundary result;
+    for (const std::string &entry : split_list(pressure_text, ';'))
+    {
+      const std::vector<std::string> parts = split_list(entry, ':');
+      if (parts.size() != 2)
+        throw InputError(pressure_name + ": found '" + entry +
+                         "', allowed is 'boundary : expression', several "
+                         "separated by ';'.");
+      auto function = std::make_shared<ExpressionFunction<dim>>(1);
+      function->set(
+        0,
+        std::make_shared<const Expression>(parts[1], variables, pressure_name));
+      if (!result.insert({parts[0], function}).second)
+        throw InputError(pressure_name + ": found '" + entry +
+                         "', a second entry for '" + parts[0] +
+                         "'. Allowed is one for each boundary.");
+    }
+    return result;
+  }
+
+
+
+  template <int dim>
   std::shared_ptr<ExpressionFunction<dim>>
   BoundaryConditions<dim>::body_force(const unsigned int n_components) const
   {
     const auto entries =
-      read_entries<dim>(body_force_text, false, false, body_force_name);
+      read_entries<dim>(body_force_text, false, "", body_force_name);
     if (entries.empty())
       return nullptr;
     auto function = std::make_shared<ExpressionFunction<dim>>(n_components);
@@ -283,6 +363,10 @@ namespace MixedCracks
                        join_names(names) + ".");
     for (const auto &traction : tractions(dim))
       require_known(traction.first, traction_name);
+    for (const auto &traction : normal_tractions())
+      require_known(traction.first, traction_name);
+    for (const auto &pressure : pressures())
+      require_known(pressure.first, pressure_name);
     body_force(dim);
   }
 

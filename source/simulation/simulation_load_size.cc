@@ -55,14 +55,16 @@ namespace MixedCracks
 
     template <int dim>
     std::optional<double>
-    size_of(std::shared_ptr<const Expression> expression,
-            const std::vector<Point<dim>>    &places,
-            const double                      time)
+    size_of(const unsigned int                   component,
+            std::shared_ptr<const Expression>    expression,
+            std::shared_ptr<const Rotation<dim>> rotation,
+            const std::vector<Point<dim>>       &places,
+            const double                         time)
     {
-      ExpressionFunction<dim> value(1);
-      value.set(0, std::move(expression));
+      ExpressionFunction<dim> value(dim);
+      value.set(component, std::move(expression), std::move(rotation));
       value.set_time(time);
-      return size_at<dim>(value, places, 0);
+      return size_at<dim>(value, places, component);
     }
   } // namespace
 
@@ -88,9 +90,13 @@ namespace MixedCracks
       extent = std::max(extent, body.side_length(d));
     for (const auto &entry : given.displacements())
       if (entry.component < dim)
-        add(displacement, size_of<dim>(entry.expression, places, time));
+        add(displacement,
+            size_of<dim>(
+              entry.component, entry.expression, entry.rotation, places, time));
     for (const auto &entry : given.point_displacements())
-      add(displacement, size_of<dim>(entry.expression, {entry.point}, time));
+      add(displacement,
+          size_of<dim>(
+            entry.component, entry.expression, nullptr, {entry.point}, time));
     result.strain = displacement / extent;
     for (const auto &[boundary, traction] : given.tractions(dim))
     {
@@ -98,6 +104,12 @@ namespace MixedCracks
       for (unsigned int d = 0; d < dim; ++d)
         add(result.traction, size_at<dim>(*traction, places, d));
     }
+    for (const auto &loads : {given.normal_tractions(), given.pressures()})
+      for (const auto &[boundary, load] : loads)
+      {
+        load->set_time(time);
+        add(result.traction, size_at<dim>(*load, places, 0));
+      }
     if (const auto pressure = parameters.fluid.pressure())
     {
       pressure->set_time(time);

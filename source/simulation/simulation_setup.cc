@@ -171,7 +171,7 @@ namespace MixedCracks
       if (entry.component < dim)
       {
         auto value = std::make_shared<ExpressionFunction<dim>>(n_components);
-        value->set(entry.component, entry.expression);
+        value->set(entry.component, entry.expression, entry.rotation);
         result.push_back({ids.at(entry.boundary), entry.component, value});
       }
     return result;
@@ -215,6 +215,10 @@ namespace MixedCracks
     loads.body_force = conditions.body_force(n_components);
     for (const auto &[boundary, traction] : conditions.tractions(n_components))
       loads.tractions[ids.at(boundary)] = traction;
+    for (const auto &[boundary, traction] : conditions.normal_tractions())
+      loads.normal_tractions[ids.at(boundary)] = traction;
+    for (const auto &[boundary, pressure] : conditions.pressures())
+      loads.pressures[ids.at(boundary)] = pressure;
     return loads;
   }
 

@@ -65,16 +65,17 @@ namespace MixedCracks
         no_shapes,
         QGauss<dim - 1>(fields.elastic.get_fe().degree + 1),
         update_quadrature_points);
-      for (const auto &entry : loads.tractions)
-        entry.second->set_time(0.);
-      const auto try_on = [&](const auto &cell, const unsigned int face) {
-        const auto traction =
-          loads.tractions.find(cell->face(face)->boundary_id());
-        if (traction == loads.tractions.end())
+      const auto try_on = [&](const auto        &functions,
+                              const unsigned int n_components,
+                              const auto        &cell,
+                              const unsigned int face) {
+        const auto load = functions.find(cell->face(face)->boundary_id());
+        if (load == functions.end())
           return;
+        load->second->set_time(0.);
         face_values.reinit(cell, face);
         for (const Point<dim> &point : face_values.get_quadrature_points())
-          try_at(*traction->second, point, dim);
+          try_at(*load->second, point, n_components);
       };
       together(fields.communicator(), [&]() {
         for (const auto &cell :
@@ -82,7 +83,11 @@ namespace MixedCracks
           if (cell->is_locally_owned())
             for (const unsigned int face : cell->face_indices())
               if (cell->face(face)->at_boundary())
-                try_on(cell, face);
+              {
+                try_on(loads.tractions, dim, cell, face);
+                try_on(loads.normal_tractions, 1, cell, face);
+                try_on(loads.pressures, 1, cell, face);
+              }
       });
     }
   } // namespace
