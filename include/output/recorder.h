@@ -19,6 +19,7 @@
 #include <output/slit_watch.h>
 #include <output/statistics.h>
 #include <output/summary.h>
+#include <output/watched_boundaries.h>
 
 #include <optional>
 
@@ -36,6 +37,7 @@ namespace MixedCracks
     /// see BoundaryQuantities
     std::optional<dealii::types::boundary_id> force_boundary;
     bool                                      finite_strain = false;
+    std::vector<WatchedBoundary<dim>>         watched{};
   };
 
   /// Keeps what a run is to leave behind: the rows of statistics.csv, cracks
@@ -56,6 +58,13 @@ namespace MixedCracks
 
     /// To be called when the mesh changed. @p length_scale: l, mm.
     void reinit(Assembler<dim> &assembler, double length_scale);
+
+    /// What tells the loads on the boundaries that are watched.
+    void
+    take_loads_from(typename WatchedBoundaries<dim>::Loads loads)
+    {
+      watched_boundaries.set_loads(std::move(loads));
+    }
 
     /// Begin statistics.csv.
     void open_statistics();
@@ -173,6 +182,7 @@ namespace MixedCracks
     CrackOpening<dim>       crack_opening;
     CrackOpeningFile<dim>   crack_opening_file;
     PointDisplacements<dim> point_displacements;
+    WatchedBoundaries<dim>  watched_boundaries;
     SlitWatch<dim>          slit_watch;
     StatisticsTable         statistics;
     FieldOutput<dim>        field_output;

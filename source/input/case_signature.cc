@@ -243,6 +243,7 @@ namespace MixedCracks
       {"Boundary conditions/Displacement", Rule::if_failed},
       {"Boundary conditions/Displacement at points", Rule::if_failed},
       {"Boundary conditions/Traction", Rule::if_failed},
+      {"Boundary conditions/Pressure", Rule::if_failed},
       {"Boundary conditions/Body force", Rule::if_failed},
       {"Fluid", Rule::if_failed},
       {"Initial cracks", Rule::no},
@@ -250,8 +251,8 @@ namespace MixedCracks
       {"Load stepping/Force boundary", Rule::no}, // the columns of the force
       {"Linear solver", Rule::yes},
       {"Output", Rule::yes},
-      {"Output/Displacement at points",
-       Rule::if_empty}}; // columns of their own
+      {"Output/Displacement at points", Rule::if_empty}, // columns of their own
+      {"Output/Watched boundaries", Rule::no}}; // behind them, in each row
     return rules;
   }
 

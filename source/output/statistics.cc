@@ -17,6 +17,7 @@
 #include <output/quantities.h>
 #include <output/statistics.h>
 
+#include <algorithm>
 #include <iomanip>
 #include <sstream>
 
@@ -84,11 +85,15 @@ namespace MixedCracks
           << value_of(*quantity, row, table.front())
           << (quantity == columns.back() ? "" : ",");
     }
+    // points may be asked for later, the boundaries behind them may not
+    const std::size_t missing =
+      n_point_columns -
+      std::min(n_point_columns, row.point_displacements.size());
     for (std::size_t i = 0; i < n_point_columns; ++i)
     {
       out << ',' << std::setprecision(10);
-      if (i < row.point_displacements.size())
-        out << row.point_displacements[i];
+      if (i >= missing)
+        out << row.point_displacements[i - missing];
     }
     out << '\n';
     return out.str();

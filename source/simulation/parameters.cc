@@ -29,6 +29,7 @@ namespace MixedCracks
     output.add_parameters(prm);
     crack_opening.add_parameters(prm);
     point_displacements.add_parameters(prm);
+    watched_boundaries.add_parameters(prm);
     events.add_parameters(prm);
   }
 
@@ -79,6 +80,14 @@ namespace MixedCracks
       throw InputError("Fluid/Pressure: found '" + fluid.pressure_text +
                        "' with Model/Strains = finite. Allowed: 0, which is no "
                        "fluid; Boundary conditions/Traction is a dead load.");
+    if (dim == 2 && model.strain.is_finite() &&
+        model.kinematics == "plane stress" &&
+        !boundary_conditions.pressures().empty())
+      throw InputError(
+        "Boundary conditions/Pressure: found with Model/Strains = finite and "
+        "Model/Kinematics = plane stress, where the area it acts on changes "
+        "with the thickness. Allowed are plane strain, or the component "
+        "'normal' of Boundary conditions/Traction, a dead load.");
     initial_cracks.check();
     load.check();
     if (dim == 3 && load.stop_when_separated)
@@ -90,6 +99,7 @@ namespace MixedCracks
     output.check();
     crack_opening.check();
     point_displacements.check();
+    watched_boundaries.boundaries(boundaries);
     events.check(dim);
 
     std::vector<std::string> prescribed;

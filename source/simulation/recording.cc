@@ -20,7 +20,9 @@ namespace MixedCracks
                                  parameters.events,
                                  parameters.thickness_factor(),
                                  {}};
-    options.finite_strain      = parameters.model.strain.is_finite();
+    options.finite_strain = parameters.model.strain.is_finite();
+    options.watched       = parameters.watched_boundaries.boundaries(
+      parameters.geometry.chosen().boundary_ids());
     const std::string boundary = parameters.force_boundary();
     if (!boundary.empty())
       options.force_boundary =
