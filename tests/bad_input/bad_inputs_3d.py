@@ -94,6 +94,18 @@ CASES = [
     box("crack paths", [("Load stepping/Stop when separated", "true")],
         "Load stepping/Stop when separated", "2-d only",
         "Stop when force falls below"),
+    box("a rotation without an axis", [
+        ("Boundary conditions/Displacement", "top : rotation about 0, 0, 0 : t")],
+        "'rotation about 0, 0, 0'", "axis 0, 0, 1"),
+    box("a rotation about no axis", [
+        ("Boundary conditions/Displacement",
+         "top : rotation about 0, 0, 0 axis 0, 0, 0 : t")], "length 0"),
+    box("a twist about a slanting axis", [
+        ("Boundary conditions/Displacement",
+         "top : twist about 0, 0, 0 axis 0, 1, 1 : t")], "twist", "along x, y or z"),
+    box("a moment about a point of the plane", [
+        ("Output/Watched boundaries", "top moment about 0, 0")],
+        "Output/Watched boundaries", "point of 3 numbers"),
     # at one node, which one rank owns
     box("an expression that fails", [
         ("Boundary conditions/Displacement", "top : all : 0 ; bottom : z : 1/(z-1)")],
