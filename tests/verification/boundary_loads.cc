@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Loads on boundaries: pressure in a thick-walled cylinder at small strain
 // (Lame) and at finite strain (exact for an incompressible neo-Hookean wall),
-// on a cube that becomes smaller, and turned bodies, which have no stress.
+// on a cube that becomes smaller, and the torque of a bar.
 #include "body.h"
 
 #include <output/watched_boundaries.h>
@@ -163,35 +163,6 @@ TEST(BoundaryLoads, ACubeUnderPressureAtFiniteStrain)
     EXPECT_NEAR(u[1], u[0], 1e-8);
     EXPECT_NEAR(u[2], u[0], 1e-8);
     EXPECT_NEAR(-(mu * (s * s - 1.) / J + lambda * (J - 1.)), 2. * time, 1e-6);
-  }
-}
-
-
-
-// All sides of a strip turned by up to 1.2: inside it turns as well, and there
-// is no stress. At small strain there would be.
-TEST(BoundaryLoads, ABodyThatIsTurnedHasNoStress)
-{
-  for (const std::string &formulation :
-       {std::string("mixed"), std::string("displacement")})
-  {
-    Body body(rubber +
-              "Geometry/Name = rectangle\n"
-              "Geometry/Rectangle/Upper corner = 2, 1\n"
-              "Geometry/Rectangle/Cells = 4, 2\n"
-              "Model/Formulation = " +
-              formulation +
-              "\nModel/Displacement degree = 2\n"
-              "Material/Lame lambda = 100\nMaterial/Shear modulus = 1\n"
-              "Boundary conditions/Displacement = left : rotation about 1, 3 : "
-              "t; right : rotation about 1, 3 : t\n");
-    for (const double time : {0.2, 0.4, 0.6, 0.8, 1., 1.2})
-      body.solve(time);
-    EXPECT_LT(body.reaction("left").norm(), 1e-6);
-    EXPECT_LT(body.reaction("right").norm(), 1e-6);
-    const auto u = body.displacement_at({1., 0.5});
-    EXPECT_NEAR(u[0], 2.5 * std::sin(1.2), 1e-7);
-    EXPECT_NEAR(u[1], 2.5 * (1. - std::cos(1.2)), 1e-7);
   }
 }
 
