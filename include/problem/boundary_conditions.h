@@ -45,12 +45,17 @@ namespace MixedCracks
   template <int dim>
   struct BoundaryEntry
   {
+    /// the component that is normal to the boundary, whichever it is
+    static constexpr unsigned int symmetry =
+      dealii::numbers::invalid_unsigned_int;
+
     std::string                       boundary;
     unsigned int                      component; ///< dim: the phase field
     std::shared_ptr<const Expression> expression;
   };
 
-  /// One entry "point : component : expression".
+  /// One entry "point : component : expression"; of the phase field it has
+  /// component dim.
   template <int dim>
   struct PointEntry
   {
@@ -75,11 +80,17 @@ namespace MixedCracks
                const std::function<std::string()> &hint = {}) const;
 
     /// Entries of "Displacement", 'all' spread over the components; those on
-    /// the phase field have component dim.
+    /// the phase field have component dim, those of symmetry a name.
     std::vector<BoundaryEntry<dim>> displacements() const;
 
     /// Entries of "Displacement at points", 'all' spread over the components.
     std::vector<PointEntry<dim>> point_displacements() const;
+
+    /// Entries of "Force at points", N.
+    std::vector<PointEntry<dim>> point_forces() const;
+
+    /// Entries of "Phase field at points".
+    std::vector<PointEntry<dim>> point_phase_fields() const;
 
     /// Nodal loads by boundary, components 0 to dim - 1; MPa.
     std::map<std::string, std::shared_ptr<ExpressionFunction<dim>>>
@@ -99,6 +110,8 @@ namespace MixedCracks
   private:
     std::string displacement_text;
     std::string point_displacement_text;
+    std::string point_force_text;
+    std::string point_phase_field_text;
     std::string traction_text;
     std::string body_force_text;
     double      margin = 0.;

@@ -6,6 +6,7 @@
 #include <assembly/auxiliary_matrices.h>
 #include <assembly/elastic_potential.h>
 #include <assembly/fluid_assembler.h>
+#include <assembly/point_forces.h>
 
 #include <base/stop_request.h>
 
@@ -25,13 +26,14 @@ namespace MixedCracks
     std::shared_ptr<dealii::Function<dim>> body_force;
     std::map<dealii::types::boundary_id, std::shared_ptr<dealii::Function<dim>>>
                                          tractions;
+    PointForces<dim>                     at_points{};
     std::shared_ptr<FluidAssembler<dim>> fluid; ///< in the cracks; or null
 
     /// Of those that do not depend on the cracks.
     bool
     any() const
     {
-      return body_force || !tractions.empty();
+      return body_force || !tractions.empty() || !at_points.empty();
     }
   };
 
@@ -190,7 +192,7 @@ namespace MixedCracks
     /// Ask, and remember the answer for Newton's method.
     bool ask_to_stop(const std::string &finished);
 
-    /// Of body force and tractions.
+    /// Of body force, tractions and forces at points.
     LinearAlgebra::Vector dead_loads(double time) const;
 
     /// These and those of the fluid in the cracks of @p phase_field, with

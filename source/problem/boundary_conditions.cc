@@ -3,8 +3,11 @@
 // time and w a test function, in the terms of (M5) of doc/model.md:
 //
 //   Displacement             u_c = u_D(x, t) on a boundary, mm
-//   Displacement at points   u_c = u_D(x, t) at a vertex, mm
 //     component phase field  phi = phi_D(x, t) on a boundary, within 0 and 1
+//     symmetry               u . n = 0 on a plane
+//   Displacement at points   u_c = u_D(x, t) at a vertex, mm
+//   Phase field at points    phi = phi_D(x, t) at a vertex, within 0 and 1
+//   Force at points          P_c(x, t) w_c at a vertex, N
 //   Traction                 ( tau(x, t), w ) on a boundary, tau in MPa
 //   Body force               ( f(x, t), w ) in the body, f in N/mm^3
 //
@@ -38,6 +41,9 @@ namespace MixedCracks
     const std::string displacement_name = "Boundary conditions/Displacement";
     const std::string points_name =
       "Boundary conditions/Displacement at points";
+    const std::string forces_name = "Boundary conditions/Force at points";
+    const std::string phase_fields_name =
+      "Boundary conditions/Phase field at points";
     const std::string traction_name   = "Boundary conditions/Traction";
     const std::string body_force_name = "Boundary conditions/Body force";
 
@@ -103,13 +109,24 @@ namespace MixedCracks
       for (const std::string &entry : split_list(text, ';'))
       {
         std::vector<std::string> parts = split_list(entry, ':');
+        if (with_phase_field && parts.size() == 2 && parts[1] == "symmetry")
+        {
+          const unsigned int component = BoundaryEntry<dim>::symmetry;
+          require_new(result, parts[0], component, entry, parameter);
+          result.push_back(
+            {parts[0],
+             component,
+             std::make_shared<const Expression>("0", variables, parameter)});
+          continue;
+        }
         if (!with_boundary)
           parts.insert(parts.begin(), "");
         if (parts.size() != 3)
           throw InputError(
             parameter + ": found '" + entry + "', allowed is '" +
-            (with_boundary ? "boundary : " : "") +
-            "component : expression', several separated by ';'.");
+            (with_boundary ? "boundary : " : "") + "component : expression'" +
+            (with_phase_field ? " or 'boundary : symmetry'" : "") +
+            ", several separated by ';'.");
         const auto expression =
           std::make_shared<const Expression>(parts[2], variables, parameter);
         for (const unsigned int component :
@@ -118,6 +135,46 @@ namespace MixedCracks
           require_new(result, parts[0], component, entry, parameter);
           result.push_back({parts[0], component, expression});
         }
+      }
+      return result;
+    }
+
+
+
+    template <int dim>
+    PointEntry<dim>
+    point_entry(const BoundaryEntry<dim> &entry, const std::string &parameter)
+    {
+      const std::vector<double> numbers =
+        parse_numbers(entry.boundary, parameter);
+      if (numbers.size() != dim)
+        throw InputError(parameter + ": found '" + entry.boundary +
+                         "', allowed is a point of " + std::to_string(dim) +
+                         " numbers, as '" + (dim == 2 ? "0, 1" : "0, 1, 2") +
+                         "'.");
+      PointEntry<dim> at{{}, entry.component, entry.expression};
+      std::copy(numbers.begin(), numbers.end(), at.point.begin_raw());
+      return at;
+    }
+
+
+
+    // however the point is written
+    template <int dim>
+    std::vector<PointEntry<dim>>
+    point_entries(const std::vector<BoundaryEntry<dim>> &entries,
+                  const std::string                     &parameter)
+    {
+      std::vector<PointEntry<dim>> result;
+      for (const BoundaryEntry<dim> &entry : entries)
+      {
+        const PointEntry<dim> at = point_entry(entry, parameter);
+        for (const PointEntry<dim> &earlier : result)
+          if (earlier.point == at.point && earlier.component == at.component)
+            throw InputError(parameter + ": found '" + entry.boundary +
+                             "' twice for a component. Allowed is one entry "
+                             "for each component of a point.");
+        result.push_back(at);
       }
       return result;
     }
@@ -148,7 +205,10 @@ namespace MixedCracks
       "Displacement",
       displacement_text,
       "Prescribed values: 'boundary : component : expression ; ...' with "
-      "components x, y, z, all, phase field, and expressions in x, y, z, t. "
+      "components x, y, z, all, phase field, and expressions in x, y, z, t, "
+      "where table(\"load.csv\") is the value at t of a file of rows 'time, "
+      "value', linear between them. 'boundary : symmetry' is a plane of "
+      "symmetry, parallel to the axes: nothing moves through it. "
       "Where two boundaries meet, the entry named first decides. Unit: mm "
       "(phase field: 1).");
     prm.add_parameter(
@@ -159,7 +219,22 @@ namespace MixedCracks
       ": y : 0'. Where a boundary prescribes the same component, the boundary "
       "decides. Points alone may hold the body, too. The stress under a single "
       "node grows without limit as cells shrink: keep cracks away from it. "
-      "Unit: mm.");
+      "On a slit both faces are held. Unit: mm.");
+    prm.add_parameter(
+      "Force at points",
+      point_force_text,
+      "Forces on single vertices of the mesh: 'point : component : expression "
+      "; ...' with components x, y, z, all, as in '4, 2 : y : -10*t'. They are "
+      "forces on the whole body, in 2-d on all of its thickness, and dead "
+      "loads. Displacement and stress under a point grow without limit as "
+      "cells shrink. Unit: N.");
+    prm.add_parameter(
+      "Phase field at points",
+      point_phase_field_text,
+      "Prescribed phase field of single vertices of the mesh: 'point : value ; "
+      "...', as in '4, 2 : 1', where the value, an expression in x, y, z, t, is "
+      "within 0 (broken) and 1. Where a boundary prescribes it, the boundary "
+      "decides. Unit: 1.");
     prm.add_parameter("Traction",
                       traction_text,
                       "Forces per area on the boundary, 'boundary : component "
@@ -174,8 +249,8 @@ namespace MixedCracks
       "Unbreakable margin",
       margin,
       "The material within this distance of a boundary or point with "
-      "prescribed displacement cannot break: clamps, bulges, supports. 0: none. "
-      "Unit: mm.",
+      "prescribed displacement, but for symmetry, or of a point with a force "
+      "cannot break: clamps, bulges, supports. 0: none. Unit: mm.",
       Patterns::Double(0.));
     prm.leave_subsection();
   }
@@ -195,22 +270,42 @@ namespace MixedCracks
   std::vector<PointEntry<dim>>
   BoundaryConditions<dim>::point_displacements() const
   {
-    std::vector<PointEntry<dim>> result;
-    for (const BoundaryEntry<dim> &entry :
-         read_entries<dim>(point_displacement_text, true, false, points_name))
+    return point_entries(
+      read_entries<dim>(point_displacement_text, true, false, points_name),
+      points_name);
+  }
+
+
+
+  template <int dim>
+  std::vector<PointEntry<dim>>
+  BoundaryConditions<dim>::point_forces() const
+  {
+    return point_entries(
+      read_entries<dim>(point_force_text, true, false, forces_name),
+      forces_name);
+  }
+
+
+
+  template <int dim>
+  std::vector<PointEntry<dim>>
+  BoundaryConditions<dim>::point_phase_fields() const
+  {
+    std::vector<BoundaryEntry<dim>> entries;
+    for (const std::string &entry : split_list(point_phase_field_text, ';'))
     {
-      const std::vector<double> numbers =
-        parse_numbers(entry.boundary, points_name);
-      if (numbers.size() != dim)
-        throw InputError(points_name + ": found '" + entry.boundary +
-                         "', allowed is a point of " + std::to_string(dim) +
-                         " numbers, as '" + (dim == 2 ? "0, 1" : "0, 1, 2") +
-                         "'.");
-      PointEntry<dim> at{{}, entry.component, entry.expression};
-      std::copy(numbers.begin(), numbers.end(), at.point.begin_raw());
-      result.push_back(at);
+      const std::vector<std::string> parts = split_list(entry, ':');
+      if (parts.size() != 2)
+        throw InputError(phase_fields_name + ": found '" + entry +
+                         "', allowed is 'point : value', several separated by "
+                         "';'.");
+      entries.push_back({parts[0],
+                         dim,
+                         std::make_shared<const Expression>(
+                           parts[1], variables, phase_fields_name)});
     }
-    return result;
+    return point_entries(entries, phase_fields_name);
   }
 
 
@@ -272,7 +367,7 @@ namespace MixedCracks
     for (const BoundaryEntry<dim> &entry : displacements())
     {
       require_known(entry.boundary, displacement_name);
-      any_displacement = any_displacement || entry.component < dim;
+      any_displacement = any_displacement || entry.component != dim;
     }
     const bool any_point = !point_displacements().empty();
     if (!any_displacement && !any_point)
@@ -284,6 +379,8 @@ namespace MixedCracks
     for (const auto &traction : tractions(dim))
       require_known(traction.first, traction_name);
     body_force(dim);
+    point_forces();
+    point_phase_fields();
   }
 
 

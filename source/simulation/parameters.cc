@@ -94,7 +94,7 @@ namespace MixedCracks
 
     std::vector<std::string> prescribed;
     for (const auto &entry : boundary_conditions.displacements())
-      if (entry.component < dim &&
+      if (entry.component != dim &&
           std::find(prescribed.begin(), prescribed.end(), entry.boundary) ==
             prescribed.end())
         prescribed.push_back(entry.boundary);
@@ -104,7 +104,7 @@ namespace MixedCracks
                        "', but displacement is prescribed at points only. "
                        "Allowed is nothing: the force is then the reaction at "
                        "the points that move.");
-    if (prescribed.empty())
+    if (force.empty())
       return;
     if (std::find(prescribed.begin(), prescribed.end(), force) ==
         prescribed.end())

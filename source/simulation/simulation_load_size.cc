@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // How large loads are, roughly, without a mesh: expressions are evaluated at
 // the corners and the middle of the box around the body. Displacements become
-// strains by the largest extent of the body. Body forces are not looked at
+// strains by the largest extent of the body, forces at points stresses by the
+// smallest section of the box. Body forces are not looked at
 // (is_known = false): what stress they make depends on the shape. Nor is an
 // expression that has a value at none of these places.
 
@@ -13,6 +14,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <optional>
 
 namespace MixedCracks
@@ -51,6 +53,17 @@ namespace MixedCracks
         catch (const InputError &)
         {}
       return largest;
+    }
+
+    // Of cross sections of the box the smallest: mm^(dim - 1).
+    template <int dim>
+    double
+    least_section(const BoundingBox<dim> &body)
+    {
+      double area = std::numeric_limits<double>::infinity();
+      for (unsigned int d = 0; d < dim; ++d)
+        area = std::min(area, body.volume() / body.side_length(d));
+      return area;
     }
 
     template <int dim>
@@ -98,6 +111,13 @@ namespace MixedCracks
       for (unsigned int d = 0; d < dim; ++d)
         add(result.traction, size_at<dim>(*traction, places, d));
     }
+    const double area = parameters.thickness_factor() * least_section(body);
+    for (const auto &entry : given.point_forces())
+    {
+      double stress = 0.;
+      add(stress, size_of<dim>(entry.expression, {entry.point}, time));
+      result.points = std::max(result.points, stress / area);
+    }
     if (const auto pressure = parameters.fluid.pressure())
     {
       pressure->set_time(time);
@@ -131,6 +151,9 @@ namespace MixedCracks
     };
     add(load.strain, format("strains of about %.2g", printable(load.strain)));
     add(load.traction, format("tractions of %.3g MPa", load.traction));
+    add(load.points,
+        format("forces at points of %.3g MPa on the smallest section",
+               load.points));
     add(load.fluid, format("a fluid pressure of %.3g MPa", load.fluid));
     return text;
   }

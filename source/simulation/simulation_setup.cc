@@ -168,11 +168,18 @@ namespace MixedCracks
     const auto ids = parameters.geometry.chosen().boundary_ids();
     std::vector<PrescribedComponent<dim>> result;
     for (const auto &entry : parameters.boundary_conditions.displacements())
-      if (entry.component < dim)
+      if (entry.component != dim)
       {
+        const bool is_symmetry =
+          entry.component == BoundaryEntry<dim>::symmetry;
         auto value = std::make_shared<ExpressionFunction<dim>>(n_components);
-        value->set(entry.component, entry.expression);
-        result.push_back({ids.at(entry.boundary), entry.component, value});
+        if (!is_symmetry) // else 0
+          value->set(entry.component, entry.expression);
+        result.push_back(
+          {ids.at(entry.boundary),
+           is_symmetry ? PrescribedComponent<dim>::normal : entry.component,
+           value,
+           entry.boundary});
       }
     return result;
   }
@@ -215,6 +222,14 @@ namespace MixedCracks
     loads.body_force = conditions.body_force(n_components);
     for (const auto &[boundary, traction] : conditions.tractions(n_components))
       loads.tractions[ids.at(boundary)] = traction;
+    std::vector<PointForce<dim>> forces;
+    for (const auto &entry : conditions.point_forces())
+    {
+      auto value = std::make_shared<ExpressionFunction<dim>>(n_components);
+      value->set(entry.component, entry.expression);
+      forces.push_back({entry.point, entry.component, value});
+    }
+    loads.at_points = {forces, parameters.thickness_factor()};
     return loads;
   }
 

@@ -92,6 +92,11 @@ namespace MixedCracks
     for (const auto &entry :
          parameters.boundary_conditions.point_displacements())
       points.push_back(entry.point);
+    for (const auto &entry : parameters.boundary_conditions.point_forces())
+      points.push_back(entry.point);
+    for (const auto &entry :
+         parameters.boundary_conditions.point_phase_fields())
+      points.push_back(entry.point);
     for (const auto &entry : parameters.point_displacements.points())
       points.push_back(entry.position);
     refine_at_points(triangulation, n_global, regions, points, most);

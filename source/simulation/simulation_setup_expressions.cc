@@ -14,6 +14,7 @@
 #include <deal.II/fe/fe_nothing.h>
 #include <deal.II/fe/fe_values.h>
 
+#include <simulation/phase_field_points.h>
 #include <simulation/simulation_setup.h>
 
 namespace MixedCracks
@@ -97,9 +98,14 @@ namespace MixedCracks
   {
     LinearAlgebra::Vector values = fields.owned_vector(fields.elastic_dofs);
     constraints.apply_prescribed(0., values);
-    prescribed_phase_field(parameters, fields, 0.);
-    const Loads<dim> loads = make_loads(parameters, dim);
-    const auto       fluid = parameters.fluid.pressure();
+    auto phase_field = prescribed_phase_field(parameters, fields, 0.);
+    PhaseFieldPoints<dim> phase_field_points(parameters.boundary_conditions);
+    phase_field_points.reinit(fields, constraints);
+    phase_field_points.add(0., phase_field);
+    Loads<dim> loads = make_loads(parameters, dim);
+    loads.at_points.reinit(fields, constraints.elastic_hanging_nodes());
+    loads.at_points.add(0., values);
+    const auto fluid = parameters.fluid.pressure();
     try_in_cells(loads, fluid.get(), fields);
     try_on_boundaries(loads, fields);
   }

@@ -216,7 +216,9 @@ namespace MixedCracks
             piece.corners[v] = cell->face(face)->vertex(v);
           faces.push_back(piece);
         }
-    const auto points = parameters.boundary_conditions.point_displacements();
+    auto       points = parameters.boundary_conditions.point_displacements();
+    const auto forces = parameters.boundary_conditions.point_forces();
+    points.insert(points.end(), forces.begin(), forces.end());
     for_each_node(fields,
                   [&](const types::global_dof_index dof,
                       const Point<dim>             &position,

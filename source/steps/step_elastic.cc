@@ -49,6 +49,7 @@ namespace MixedCracks
   {
     TimerOutput::Scope scope(timer, "setup");
     assembler.reinit();
+    loads.at_points.reinit(fields, constraints.elastic_hanging_nodes());
     if (loads.fluid)
       loads.fluid->reinit();
     const DofSets &dofs = fields.elastic_dofs;
@@ -155,7 +156,7 @@ namespace MixedCracks
 
 
 
-  // F(t): body force and tractions, N/mm at the nodes
+  // F(t): body force, tractions and forces at points, N/mm at the nodes
   template <int dim>
   Vector
   ElasticStep<dim>::dead_loads(const double time) const
@@ -175,6 +176,7 @@ namespace MixedCracks
                               tractions,
                               constraints.elastic_hanging_nodes(),
                               forces);
+    loads.at_points.add(time, forces);
     return forces;
   }
 
