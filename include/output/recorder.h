@@ -16,6 +16,7 @@
 #include <output/measurement.h>
 #include <output/parameters.h>
 #include <output/point_displacements.h>
+#include <output/point_reactions.h>
 #include <output/slit_watch.h>
 #include <output/statistics.h>
 #include <output/summary.h>
@@ -173,6 +174,7 @@ namespace MixedCracks
     CrackOpening<dim>       crack_opening;
     CrackOpeningFile<dim>   crack_opening_file;
     PointDisplacements<dim> point_displacements;
+    PointReactions<dim>     point_reactions;
     SlitWatch<dim>          slit_watch;
     StatisticsTable         statistics;
     FieldOutput<dim>        field_output;

@@ -77,11 +77,10 @@ namespace MixedCracks
     for (IndexSet &dofs : owned_dofs)
       dofs = IndexSet(fields.elastic.n_dofs());
     for (std::size_t i = 0; i < points.size(); ++i)
-      if (const auto dof = constraints.dofs_of_points()[i];
-          dof != numbers::invalid_dof_index &&
-          fields.elastic_dofs.owned.is_element(dof) &&
-          (!any || moves(points[i].point)))
-        owned_dofs[points[i].component].add_index(dof);
+      for (const auto dof : constraints.dofs_of_points()[i])
+        if (fields.elastic_dofs.owned.is_element(dof) &&
+            (!any || moves(points[i].point)))
+          owned_dofs[points[i].component].add_index(dof);
     sign = 1.;
   }
 

@@ -46,6 +46,7 @@ namespace MixedCracks
                          crack_opening.lines(),
                          fields.communicator())
     , point_displacements(fields, options.points.points())
+    , point_reactions(constraints)
     , slit_watch(fields)
     , statistics(fields.communicator())
     , field_output(fields,
@@ -100,7 +101,8 @@ namespace MixedCracks
     statistics.open(options.output.directory + "/statistics.csv",
                     dim,
                     asked_quantities(),
-                    point_displacements.column_names());
+                    point_displacements.column_names(),
+                    point_reactions.column_names());
   }
 
 
@@ -146,6 +148,9 @@ namespace MixedCracks
     step.n_refinements      = n_refinements;
     StatisticsRow row       = evaluate_quantities(step, asked_quantities());
     row.point_displacements = point_displacements.evaluate(state.elastic);
+    row.point_reactions     = point_reactions.evaluate(fields, state.reaction);
+    for (double &reaction : row.point_reactions)
+      reaction *= options.thickness;
     return row;
   }
 
