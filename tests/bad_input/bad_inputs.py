@@ -50,6 +50,9 @@ end
 
 STRIP = "Geometry/Punctured strip/"
 FINITE = "must be finite"
+DISPLACEMENT_POINTS = "Boundary conditions/Displacement at points"
+FORCES = "Boundary conditions/Force at points"
+PHASE_FIELDS = "Boundary conditions/Phase field at points"
 
 
 def entry(name, value, *says, **more):
@@ -75,6 +78,14 @@ def line(name, change, *says):
 
 def conditions(text, *says, **more):
     return entry("Boundary conditions/Displacement", text, *says, **more)
+
+
+def table(name, content, *says, status=4, **more):
+    """A bad file of loads over time."""
+    return dict(more, name="table: " + name, status=status, says=(
+        "Boundary conditions/Displacement", "load.csv") + says,
+        set=['Boundary conditions/Displacement=top : all : table("load.csv") ; bottom : y : 0'],
+        files={} if content is None else {"load.csv": content})
 
 
 def usage(name, arguments, *says, **more):
@@ -440,6 +451,35 @@ CONDITIONS = [
     entry("Output/Displacement at points", "in the hole : 13, 18",
           "'in the hole : 13 18'", "outside of the mesh", leaves=["results"]),
     value("Boundary conditions/Unbreakable margin", "-1", "found '-1'", "at least 0"),
+    entry(DISPLACEMENT_POINTS, "0, 28 : y : 0 ; 0,28 : y : t", "twice"),
+    entry(FORCES, "0 : y : 0", "'0'", "point of 2 numbers"),
+    entry(FORCES, "0, 28 : phase field : 0", "'phase field'"),
+    entry(FORCES, "0, 28 : 5", "component : expression"),
+    entry(FORCES, "0, 28 : y : 1 ; 0.0, 28 : all : 1", "twice"),
+    entry(FORCES, "0.123, 0.1 : y : 0", "'0.123 0.1'", "no vertex", "nearest is",
+          leaves=["results"]),
+    entry(FORCES, "0, 28 : y : 1/t", FINITE, "y = 28"),
+    entry(FORCES, "0, 28 : y : 1/(t-0.5)", FINITE, "t = 0.5", leaves=["results"]),
+    entry(PHASE_FIELDS, "0, 28", "point : value"),
+    entry(PHASE_FIELDS, "0, 28 : y : 0", "point : value"),
+    entry(PHASE_FIELDS, "0.123, 0.1 : 0", "'0.123 0.1'", "no vertex",
+          leaves=["results"]),
+    entry(PHASE_FIELDS, "0, 28 : 1.5", "gives 1.5", "within 0"),
+    entry(PHASE_FIELDS, "0, 28 : 0.6 + t", r"gives 1\.[16]", "within 0",
+          leaves=["results"]),
+    conditions("top : all : t ; bottom : x : symmetry", "'symmetry'"),
+    conditions("top : all : t ; bottom : symmetry ; bottom : y : 0", "the same component",
+               leaves=["results"]),
+    conditions("top : all : t ; hole : symmetry", "'hole'", "a normal such as",
+               leaves=["results"]),
+    table("missing", None, "cannot read", "load.csv"),
+    table("no numbers", b"time,force\n", "no row"),
+    table("text", b"0,0\n1,one\n", "line 2 '1,one'"),
+    table("decimal commas", b"t;u\n0,5;1,5\n1,5;2,5\n", "line 2", "decimals take a point"),
+    table("times that fall", b"0,0\n1,1\n0.5,2\n", "line 3", "increase"),
+    table("it ends too early", b"0,0\n0.5,1\n", "ends at t = 0.5", "End time = 1", status=2),
+    conditions("top : all : table(load.csv)", "quotation marks"),
+    conditions('top : all : table("load.csv", 2)', "quotation marks"),
 ]
 
 RUN = {"results/statistics.csv": b"step\n0\n", "results/log.txt": b"log\n",
