@@ -53,6 +53,14 @@ namespace MixedCracks
     /// cannot be read.
     virtual void create(dealii::Triangulation<dim> &triangulation) const = 0;
 
+    /// After create(): what a user ought to know about how the mesh was made;
+    /// words, or nothing.
+    virtual std::string
+    about_mesh() const
+    {
+      return "";
+    }
+
     /// How many cells the coarse mesh has, about, told before it is built; none
     /// when only the mesh can tell.
     virtual std::optional<double>

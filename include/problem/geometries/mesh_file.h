@@ -8,7 +8,8 @@
 namespace MixedCracks
 {
   /// A mesh of quadrilaterals, in 3-d of hexahedra, from a file: Gmsh (.msh),
-  /// Abaqus (.inp) or UCD (.inp, .ucd), told apart by content. Parts of the
+  /// Abaqus (.inp), UCD (.inp, .ucd) or legacy VTK, told apart by content;
+  /// triangles, tetrahedra and prisms are cut when asked for. Parts of the
   /// boundary (Gmsh: physical curves or surfaces; Abaqus: surfaces and sets;
   /// UCD: materials of lines or quadrilaterals) get their names in the .prm;
   /// material ids are kept.
@@ -29,6 +30,9 @@ namespace MixedCracks
     /// when it is no usable mesh or not the one that the entries describe; on
     /// every rank alike.
     void create(dealii::Triangulation<dim> &triangulation) const override;
+
+    /// After create(): whether cells were cut, and which nodes were not used.
+    std::string about_mesh() const override;
 
     /// What parts of the boundary the file has. Reads it, on this rank alone.
     std::string hint_about_boundaries() const override;
@@ -61,6 +65,10 @@ namespace MixedCracks
     std::string file_name;
     std::string boundary_names;
     std::string circles;
+    bool        cut_simplices = false;
+
+    /// See about_mesh()
+    mutable std::string remarks;
   };
 } // namespace MixedCracks
 

@@ -2,7 +2,8 @@
 // A mesh from a file, in four stages that know nothing of each other:
 //
 //   text      mesh_reader.cc         read on one rank, handed to all
-//   contents  mesh_scan*.cc          nodes, cells, groups; Gmsh, Abaqus or UCD
+//   contents  mesh_scan*.cc          nodes, cells, groups of a format, cut into
+//                                    quadrilaterals or hexahedra, mesh_cut.cc
 //   mesh      mesh_builder.cc        checked, turned and numbered for deal.II
 //   names     mesh_builder_boundaries.cc   ids of boundaries by the .prm
 //
@@ -43,6 +44,21 @@ namespace MixedCracks
       return *behind == '\0';
     }
 
+
+
+    // What was done to the cells of the file
+    std::string
+    in_words(const MeshScan &scan)
+    {
+      const std::string cut =
+        scan.is_cut ? "each cell of the file cut at its corners" : "";
+      if (scan.contents.n_second_order == 0)
+        return cut;
+      return cut + (cut.empty() ? "" : "; ") + "of " +
+             std::to_string(scan.contents.n_second_order) +
+             " cells of second order the corners, so that curved edges are "
+             "straight (but for Circles)";
+    }
   } // namespace
 
 
@@ -55,19 +71,27 @@ namespace MixedCracks
     prm.add_parameter(
       "File name",
       file_name,
-      "Gmsh .msh (version 2 or 4, ASCII), Abaqus .inp or UCD "
-      "mesh of four-node quadrilaterals, in 3-d of eight-node "
-      "hexahedra; lengths in mm. A relative path starts "
-      "at the .prm that sets it, or else at the working "
-      "directory.",
+      "Gmsh .msh (version 2 or 4, ASCII or binary), Abaqus .inp, UCD or legacy "
+      "VTK mesh (ASCII) of quadrilaterals, in 3-d of hexahedra; of elements "
+      "of second order the corners are used. Lengths in mm. A relative path "
+      "starts at the .prm that sets it, or else at the working directory.",
       dealii::Patterns::FileName(dealii::Patterns::FileName::input));
+    prm.add_parameter("Cut simplices",
+                      cut_simplices,
+                      "Whether a mesh that has other cells, too, is taken: "
+                      "each triangle is cut into three quadrilaterals by the "
+                      "middles of its edges and its centroid, each "
+                      "quadrilateral beside triangles into four; in 3-d a "
+                      "tetrahedron into four hexahedra, a prism into six, a "
+                      "hexahedron beside them into eight. Cells become half "
+                      "as long. Pyramids cannot be cut.");
     prm.add_parameter("Boundary names",
                       boundary_names,
                       "Names for parts of the boundary, as in '1 = bottom ; 2 "
                       "= top ; TopEdge = grip': left the id or name in the "
                       "file. Ids are the numbers of Gmsh's physical curves, in "
                       "3-d surfaces, of Abaqus surfaces named SS1, SS2, ..., "
-                      "or the materials of UCD lines, in 3-d quadrilaterals; "
+                      "or the materials of UCD and VTK lines, in 3-d faces; "
                       "names are those of Gmsh's physical groups and of "
                       "Abaqus' surfaces, sets of elements of one dimension "
                       "less, and sets of nodes (all faces whose nodes are in "
@@ -196,7 +220,7 @@ namespace MixedCracks
       read_file_once(file_name, triangulation.get_communicator(), parameter);
     // a serial mesh, every rank's own
     dealii::Triangulation<dim> mesh;
-    const MeshScan             scan = scan_mesh(text, dim);
+    const MeshScan             scan = scan_mesh(text, dim, cut_simplices);
     MeshBuilder<dim>           builder(scan.contents);
     const std::string          problem =
       scan.problem.empty() ? builder.build(mesh) : scan.problem;
@@ -207,12 +231,22 @@ namespace MixedCracks
             subsection + "Boundary names: " + wrong + " ('" + file_name +
               "').");
 
+    remarks = in_words(scan);
     mesh.reset_all_manifolds();
     mesh.set_all_manifold_ids(dealii::numbers::flat_manifold_id);
     triangulation.copy_triangulation(mesh);
     dealii::types::manifold_id manifold = 0;
     for (const Circle &circle : parsed_circles())
       set_circle(triangulation, circle, ++manifold);
+  }
+
+
+
+  template <int dim>
+  std::string
+  MeshFile<dim>::about_mesh() const
+  {
+    return remarks;
   }
 
 
@@ -231,7 +265,7 @@ namespace MixedCracks
     {
       return "Names are given in " + names + ".";
     }
-    const MeshScan             scan = scan_mesh(text, dim);
+    const MeshScan             scan = scan_mesh(text, dim, cut_simplices);
     MeshBuilder<dim>           builder(scan.contents);
     dealii::Triangulation<dim> mesh;
     if (!scan.problem.empty() || !builder.build(mesh).empty())
