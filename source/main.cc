@@ -17,6 +17,7 @@
 
 #include <simulation/case_identity.h>
 #include <simulation/simulation.h>
+#include <simulation/time_tables.h>
 
 #include <Trilinos_version.h>
 
@@ -193,7 +194,9 @@ namespace
       prm.set("Directory", *command.output);
       prm.leave_subsection();
     }
+    read_time_tables(prm);
     parameters.check();
+    require_time_tables_until(parameters.load.end_time, prm);
     if (command.case_id)
       return print_case_id(case_identity(parameters, prm, *command.case_id));
     std::ostringstream effective;

@@ -32,9 +32,9 @@ namespace MixedCracks
   class CrackObserver
   {
   public:
-    CrackObserver(
-      const Fields<dim>                                       &fields,
-      const std::map<std::string, dealii::types::boundary_id> &names);
+    /// @p names: of boundaries, by their ids.
+    CrackObserver(const Fields<dim>                                &fields,
+                  std::map<dealii::types::boundary_id, std::string> names);
 
     /// To be called when the mesh changed. @p length_scale: l, mm.
     void reinit(double length_scale);

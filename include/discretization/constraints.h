@@ -6,9 +6,14 @@
 
 #include <deal.II/lac/affine_constraints.h>
 
+#include <discretization/boundary_ids.h>
 #include <discretization/fields.h>
+#include <discretization/vertex_dofs.h>
 
+#include <functional>
 #include <memory>
+#include <string>
+#include <utility>
 #include <vector>
 
 namespace MixedCracks
@@ -17,11 +22,17 @@ namespace MixedCracks
   template <int dim>
   struct PrescribedComponent
   {
-    dealii::types::boundary_id boundary;
-    unsigned int               component;
+    /// stands for the component normal to a flat boundary, which the mesh tells
+    static constexpr unsigned int normal =
+      dealii::numbers::invalid_unsigned_int;
+
+    BoundaryIds  boundary;
+    unsigned int component;
     /// value in mm; has as many components as the elastic element, of which
     /// `component` is asked; its time is set before
     std::shared_ptr<dealii::Function<dim>> value;
+    /// what messages call the boundary
+    std::string name = {};
   };
 
   /// One displacement component given at a vertex.
@@ -33,6 +44,10 @@ namespace MixedCracks
     std::shared_ptr<dealii::Function<dim>> value; ///< as above
     /// whether the value is ever another one than 0
     bool moves = true;
+    /// the name of the set that it is of, if any. Those follow from the mesh:
+    /// nothing is wrong when one is a hanging node, which follows its
+    /// neighbours
+    std::string set{};
   };
 
   /// Hanging nodes and prescribed displacements. Newton corrections vanish on
@@ -46,8 +61,17 @@ namespace MixedCracks
                 std::vector<PrescribedComponent<dim>> prescribed,
                 std::vector<PrescribedPoint<dim>>     points = {});
 
+    /// Where the points depend on the mesh: what reinit() asks for them first.
+    /// Has to give the same on all ranks; may be collective.
+    void
+    take_points_from(std::function<std::vector<PrescribedPoint<dim>>()> source)
+    {
+      source_of_points = std::move(source);
+    }
+
     /// To be called when the mesh changed. Throws InputError on all ranks when
-    /// a prescribed point is no vertex of the mesh.
+    /// a prescribed point is no vertex of the mesh, or a plane of symmetry not
+    /// flat.
     void reinit();
 
     /// The prescribed values at @p time written into @p elastic (without
@@ -91,9 +115,8 @@ namespace MixedCracks
       return points;
     }
 
-    /// Their dofs, as far as this rank knows them; an invalid number for the
-    /// others.
-    const std::vector<dealii::types::global_dof_index> &
+    /// Their dofs, as far as this rank knows them.
+    const std::vector<VertexDofs> &
     dofs_of_points() const
     {
       return point_dofs;
@@ -102,14 +125,17 @@ namespace MixedCracks
   private:
     std::vector<bool> mask_of(const PrescribedComponent<dim> &entry) const;
 
-    /// The dofs of `points` that this rank knows, in their order; an invalid
-    /// number for the others. Collective.
-    std::vector<dealii::types::global_dof_index> find_points() const;
+    /// Find the components of planes of symmetry.
+    void resolve_symmetry();
 
-    const Fields<dim>                           &fields;
-    std::vector<PrescribedComponent<dim>>        prescribed;
-    std::vector<PrescribedPoint<dim>>            points;
-    std::vector<dealii::types::global_dof_index> point_dofs;
+    /// The dofs of `points` that this rank knows, in their order. Collective.
+    std::vector<VertexDofs> find_points() const;
+
+    const Fields<dim>                                 &fields;
+    std::vector<PrescribedComponent<dim>>              prescribed;
+    std::vector<PrescribedPoint<dim>>                  points;
+    std::function<std::vector<PrescribedPoint<dim>>()> source_of_points;
+    std::vector<VertexDofs>                            point_dofs;
 
     dealii::AffineConstraints<double> elastic_hanging;
     dealii::AffineConstraints<double> elastic_newton;

@@ -15,7 +15,8 @@ namespace MixedCracks
   struct CaseSignature
   {
     /// What makes up the problem, and hence must not change. An entry "File
-    /// name" counts by what the file holds, and not by where it is.
+    /// name" counts by what the file holds, and not by where it is; so does a
+    /// table in an expression.
     std::string problem;
     /// What a step is tried with: load steps and solvers, and the program. A
     /// step that failed is tried again only where this has changed.
@@ -30,6 +31,11 @@ namespace MixedCracks
   /// checksum, as the first rank finds them; "" for no name. Collective.
   std::string description_of_file(const std::string &path,
                                   MPI_Comm           communicator);
+
+  /// An expression with its tables, table("load.csv"), as what the files hold.
+  /// Collective.
+  std::string with_contents_of_tables(const std::string &value,
+                                      MPI_Comm           communicator);
 
   /// Whether an entry, or "contents of" one, belongs to a geometry that is not
   /// the one with this name.

@@ -7,8 +7,6 @@
 #include <discretization/constraints.h>
 #include <discretization/fields.h>
 
-#include <optional>
-
 namespace MixedCracks
 {
   /// Forces and displacements on the boundary.
@@ -18,10 +16,9 @@ namespace MixedCracks
   public:
     /// @p force_boundary: where the reaction is summed; none: at the
     /// prescribed points that move, or at all points where none does.
-    BoundaryQuantities(
-      const Fields<dim>                        &fields,
-      const Constraints<dim>                   &constraints,
-      std::optional<dealii::types::boundary_id> force_boundary);
+    BoundaryQuantities(const Fields<dim>      &fields,
+                       const Constraints<dim> &constraints,
+                       BoundaryIds             force_boundary);
 
     /// To be called when the mesh changed.
     void reinit();
@@ -43,9 +40,9 @@ namespace MixedCracks
 
     void reinit_at_points();
 
-    const Fields<dim>                              &fields;
-    const Constraints<dim>                         &constraints;
-    const std::optional<dealii::types::boundary_id> boundary;
+    const Fields<dim>      &fields;
+    const Constraints<dim> &constraints;
+    const BoundaryIds       boundary;
 
     std::array<dealii::IndexSet, dim> owned_dofs;
     double                            sign = 1.;

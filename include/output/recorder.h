@@ -16,9 +16,11 @@
 #include <output/measurement.h>
 #include <output/parameters.h>
 #include <output/point_displacements.h>
+#include <output/point_reactions.h>
 #include <output/slit_watch.h>
 #include <output/statistics.h>
 #include <output/summary.h>
+#include <output/watched_boundaries.h>
 
 #include <optional>
 
@@ -34,8 +36,11 @@ namespace MixedCracks
     const EventParameters                  &events;
     double                                  thickness; ///< mm; 1 in 3-d
     /// see BoundaryQuantities
-    std::optional<dealii::types::boundary_id> force_boundary;
-    bool                                      finite_strain = false;
+    BoundaryIds                       force_boundary;
+    bool                              finite_strain = false;
+    std::vector<WatchedBoundary<dim>> watched{};
+    /// see PointReactions
+    std::vector<PrescribedPoint<dim>> held_points{};
   };
 
   /// Keeps what a run is to leave behind: the rows of statistics.csv, cracks
@@ -56,6 +61,13 @@ namespace MixedCracks
 
     /// To be called when the mesh changed. @p length_scale: l, mm.
     void reinit(Assembler<dim> &assembler, double length_scale);
+
+    /// What tells the loads on the boundaries that are watched.
+    void
+    take_loads_from(typename WatchedBoundaries<dim>::Loads loads)
+    {
+      watched_boundaries.set_loads(std::move(loads));
+    }
 
     /// Begin statistics.csv.
     void open_statistics();
@@ -173,6 +185,8 @@ namespace MixedCracks
     CrackOpening<dim>       crack_opening;
     CrackOpeningFile<dim>   crack_opening_file;
     PointDisplacements<dim> point_displacements;
+    WatchedBoundaries<dim>  watched_boundaries;
+    PointReactions<dim>     point_reactions;
     SlitWatch<dim>          slit_watch;
     StatisticsTable         statistics;
     FieldOutput<dim>        field_output;

@@ -23,11 +23,12 @@ namespace MixedCracks
 
     /// Open @p file_name anew, with a column for each quantity, those that the
     /// entries @p asked of the .prm ask for included, and then those of
-    /// displacements at points. Throws FileError. Collective.
+    /// displacements and of reactions at points. Throws FileError. Collective.
     void open(const std::string              &file_name,
               int                             dim,
-              const std::vector<std::string> &asked         = {},
-              const std::vector<std::string> &point_columns = {});
+              const std::vector<std::string> &asked            = {},
+              const std::vector<std::string> &point_columns    = {},
+              const std::vector<std::string> &reaction_columns = {});
 
     /// Rows kept by a resumed run, written anew. Collective.
     void restore(const std::vector<StatisticsRow> &earlier);
@@ -46,7 +47,8 @@ namespace MixedCracks
 
     const MPI_Comm                communicator;
     std::vector<const Quantity *> columns;
-    std::size_t                   n_point_columns = 0;
+    std::size_t                   n_point_columns    = 0;
+    std::size_t                   n_reaction_columns = 0;
     std::string                   name;
     std::ofstream                 file;
     std::vector<StatisticsRow>    table;

@@ -36,6 +36,8 @@ namespace MixedCracks
     std::vector<double> values;
     /// mm; components in turn; empty where not asked for
     std::vector<double> point_displacements;
+    /// at points with prescribed displacement, N; component after component
+    std::vector<double> reactions;
   };
 } // namespace MixedCracks
 

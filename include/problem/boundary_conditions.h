@@ -6,7 +6,10 @@
 
 #include <deal.II/base/function.h>
 #include <deal.II/base/parameter_handler.h>
-#include <deal.II/base/types.h>
+
+#include <discretization/boundary_ids.h>
+
+#include <problem/rotation.h>
 
 #include <functional>
 #include <map>
@@ -25,19 +28,26 @@ namespace MixedCracks
     explicit ExpressionFunction(const unsigned int n_components)
       : dealii::Function<dim>(n_components)
       , expressions(n_components)
+      , rotations(n_components)
     {}
 
+    /// With @p rotation the expression is an angle (rad), and the value that
+    /// component of the displacement.
     void
-    set(const unsigned int component, std::shared_ptr<const Expression> value)
+    set(const unsigned int                   component,
+        std::shared_ptr<const Expression>    value,
+        std::shared_ptr<const Rotation<dim>> rotation = nullptr)
     {
       expressions[component] = std::move(value);
+      rotations[component]   = std::move(rotation);
     }
 
     double value(const dealii::Point<dim> &point,
                  const unsigned int        component) const override;
 
   private:
-    std::vector<std::shared_ptr<const Expression>> expressions;
+    std::vector<std::shared_ptr<const Expression>>    expressions;
+    std::vector<std::shared_ptr<const Rotation<dim>>> rotations;
   };
 
   /// One entry "boundary : component : expression", or "component :
@@ -45,18 +55,26 @@ namespace MixedCracks
   template <int dim>
   struct BoundaryEntry
   {
-    std::string                       boundary;
-    unsigned int                      component; ///< dim: the phase field
-    std::shared_ptr<const Expression> expression;
+    /// the component that is normal to the boundary, whichever it is
+    static constexpr unsigned int symmetry =
+      dealii::numbers::invalid_unsigned_int;
+
+    std::string boundary;
+    /// dim: the phase field, in tractions the normal
+    unsigned int                         component;
+    std::shared_ptr<const Expression>    expression;
+    std::shared_ptr<const Rotation<dim>> rotation{}; ///< by the expression
   };
 
-  /// One entry "point : component : expression".
+  /// One entry "point : component : expression", or with the name of a point
+  /// set in the place of the point; of the phase field it has component dim.
   template <int dim>
   struct PointEntry
   {
     dealii::Point<dim>                point; ///< mm
     unsigned int                      component;
     std::shared_ptr<const Expression> expression;
+    std::string                       set; ///< empty: the point
   };
 
   /// Subsection "Boundary conditions".
@@ -64,26 +82,40 @@ namespace MixedCracks
   class BoundaryConditions
   {
   public:
-    using BoundaryIds = std::map<std::string, dealii::types::boundary_id>;
-
     /// Enters the subsection itself.
     void add_parameters(dealii::ParameterHandler &prm);
 
     /// Throws InputError for entries that cannot be read or name a boundary
     /// that is not in @p boundaries; @p hint says more about those.
-    void check(const BoundaryIds                  &boundaries,
-               const std::function<std::string()> &hint = {}) const;
+    /// @p point_sets: the names of those.
+    void check(const NamedBoundaries              &boundaries,
+               const std::function<std::string()> &hint       = {},
+               const std::vector<std::string>     &point_sets = {}) const;
 
     /// Entries of "Displacement", 'all' spread over the components; those on
-    /// the phase field have component dim.
+    /// the phase field have component dim, those of symmetry a name.
     std::vector<BoundaryEntry<dim>> displacements() const;
 
     /// Entries of "Displacement at points", 'all' spread over the components.
     std::vector<PointEntry<dim>> point_displacements() const;
 
+    /// Entries of "Force at points", N.
+    std::vector<PointEntry<dim>> point_forces() const;
+
+    /// Entries of "Phase field at points".
+    std::vector<PointEntry<dim>> point_phase_fields() const;
+
+    using LoadsByBoundary =
+      std::map<std::string, std::shared_ptr<ExpressionFunction<dim>>>;
+
     /// Nodal loads by boundary, components 0 to dim - 1; MPa.
-    std::map<std::string, std::shared_ptr<ExpressionFunction<dim>>>
-    tractions(unsigned int n_components) const;
+    LoadsByBoundary tractions(unsigned int n_components) const;
+
+    /// Of one component each: those along the outward normal; MPa.
+    LoadsByBoundary normal_tractions() const;
+
+    /// Likewise, positive where they press on the body; MPa.
+    LoadsByBoundary pressures() const;
 
     /// N/mm^3; null when there is none.
     std::shared_ptr<ExpressionFunction<dim>>
@@ -99,7 +131,10 @@ namespace MixedCracks
   private:
     std::string displacement_text;
     std::string point_displacement_text;
+    std::string point_force_text;
+    std::string point_phase_field_text;
     std::string traction_text;
+    std::string pressure_text;
     std::string body_force_text;
     double      margin = 0.;
   };

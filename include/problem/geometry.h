@@ -10,6 +10,10 @@
 #include <deal.II/base/point.h>
 #include <deal.II/grid/tria.h>
 
+#include <discretization/boundary_ids.h>
+
+#include <problem/point_sets.h>
+
 #include <map>
 #include <memory>
 #include <optional>
@@ -42,8 +46,12 @@ namespace MixedCracks
     virtual void check() const = 0;
 
     /// Names and ids of the boundary parts, known before the mesh is built.
-    virtual std::map<std::string, dealii::types::boundary_id>
-    boundary_ids() const = 0;
+    virtual NamedBoundaries boundary_ids() const = 0;
+
+    /// What each of these ids is called where there is one name for a face: of
+    /// several names the one that stands for most ids.
+    virtual std::map<dealii::types::boundary_id, std::string>
+    names_of_ids() const;
 
     /// The box around the domain; mm. None when only the mesh can tell.
     virtual std::optional<dealii::BoundingBox<dim>> extent() const = 0;
@@ -52,6 +60,14 @@ namespace MixedCracks
     /// set. Called by every rank alike. Throws FileError when a mesh file
     /// cannot be read.
     virtual void create(dealii::Triangulation<dim> &triangulation) const = 0;
+
+    /// After create(): what a user ought to know about how the mesh was made;
+    /// words, or nothing.
+    virtual std::string
+    about_mesh() const
+    {
+      return "";
+    }
 
     /// How many cells the coarse mesh has, about, told before it is built; none
     /// when only the mesh can tell.
@@ -136,8 +152,8 @@ namespace MixedCracks
     /// See Geometry::take_thickness_from().
     void take_thickness_from(const double &thickness);
 
-    /// Checks the chosen geometry only. Throws InputError when this dimension
-    /// has none of that name.
+    /// Checks the chosen geometry only, and what names parts of it by their
+    /// position. Throws InputError when this dimension has none of that name.
     void check() const;
 
     /// Its name in the .prm.
@@ -147,15 +163,28 @@ namespace MixedCracks
       return name;
     }
 
-    /// The chosen one.
+    /// The chosen one, with the names of "Boundary regions". Throws InputError
+    /// when these cannot be read.
     const Geometry<dim> &chosen() const;
+
+    /// "Point sets".
+    const PointSets<dim> &
+    point_sets() const
+    {
+      return points;
+    }
 
   private:
     static constexpr int other_dim = 5 - dim;
 
     std::string                                           dimension = "2";
     std::string                                           name;
+    std::string                                           regions;
+    PointSets<dim>                                        points;
     std::map<std::string, std::unique_ptr<Geometry<dim>>> geometries;
+    /// made when it is asked for, as entries are read after they are added
+    mutable std::unique_ptr<Geometry<dim>> with_regions;
+    mutable std::string                    made_with_regions;
     /// those that this dimension does not have, for their entries
     std::map<std::string, std::unique_ptr<Geometry<other_dim>>> elsewhere;
   };

@@ -3,6 +3,7 @@
 #define mixed_cracks_simulation_load_step_h
 
 #include <simulation/body.h>
+#include <simulation/phase_field_points.h>
 
 #include <steps/step.h>
 
@@ -57,6 +58,8 @@ namespace MixedCracks
     PhaseFieldStep<dim> phase_field;
     StepSolver<dim>     solver;
     FixedPhaseField     fixed;
+
+    PhaseFieldPoints<dim> phase_field_points;
   };
 } // namespace MixedCracks
 

@@ -42,6 +42,7 @@ namespace MixedCracks
 
   private:
     void report_sizes() const;
+    void report_mesh_of_file() const;
     void report_material_and_costs() const;
     void report_slits(const std::vector<SlitFace<dim>> &slits) const;
     void find_warnings();

@@ -15,6 +15,7 @@ namespace MixedCracks
     double strain   = 0.;   ///< prescribed displacement over the largest extent
     double traction = 0.;   ///< MPa
     double fluid    = 0.;   ///< pressure in cracks, MPa
+    double points   = 0.;   ///< forces at points over the least section, MPa
     bool   is_known = true; ///< there is nothing that is not looked at
   };
 

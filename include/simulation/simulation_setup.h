@@ -58,10 +58,23 @@ namespace MixedCracks
   prescribed_components(const Parameters<dim> &parameters,
                         unsigned int           n_components);
 
+  /// The entries of "Displacement at points", point sets as their points on
+  /// this mesh. @p stands_for_finer: the points of the run need not be there
+  /// yet, and the nearest do. Throws InputError on all ranks for a set without
+  /// a point. Collective where there are sets.
+  template <int dim>
+  std::vector<PointEntry<dim>>
+  placed_points(const Parameters<dim>            &parameters,
+                const dealii::Triangulation<dim> &triangulation,
+                bool                              stands_for_finer = false);
+
+  /// For Constraints, from placed_points().
   template <int dim>
   std::vector<PrescribedPoint<dim>>
-  prescribed_points(const Parameters<dim> &parameters,
-                    unsigned int           n_components);
+  prescribed_points(const Parameters<dim>            &parameters,
+                    unsigned int                      n_components,
+                    const dealii::Triangulation<dim> &triangulation,
+                    bool                              stands_for_finer = false);
 
   template <int dim>
   Loads<dim> make_loads(const Parameters<dim> &parameters,

@@ -6,6 +6,8 @@
 #include <assembly/auxiliary_matrices.h>
 #include <assembly/elastic_potential.h>
 #include <assembly/fluid_assembler.h>
+#include <assembly/normal_loads.h>
+#include <assembly/point_forces.h>
 
 #include <base/stop_request.h>
 
@@ -25,13 +27,17 @@ namespace MixedCracks
     std::shared_ptr<dealii::Function<dim>> body_force;
     std::map<dealii::types::boundary_id, std::shared_ptr<dealii::Function<dim>>>
                                          tractions;
+    BoundaryFunctions<dim>               normal_tractions; ///< along n
+    BoundaryFunctions<dim>               pressures; ///< press on the body
+    PointForces<dim>                     at_points{};
     std::shared_ptr<FluidAssembler<dim>> fluid; ///< in the cracks; or null
 
     /// Of those that do not depend on the cracks.
     bool
     any() const
     {
-      return body_force || !tractions.empty();
+      return body_force || !tractions.empty() || !normal_tractions.empty() ||
+             !pressures.empty() || !at_points.empty();
     }
   };
 
@@ -105,11 +111,15 @@ namespace MixedCracks
 
     /// Of these, at the time of the state, on its displacement; N (mJ per mm
     /// thickness). 0 without them.
-    double work_of_loads(const State &state) const;
+    double work_of_loads(const State &state);
+
+    /// Nodal forces of the loads on one boundary in a state, N/mm. Collective.
+    LinearAlgebra::Vector loads_on_boundary(dealii::types::boundary_id boundary,
+                                            const State               &state);
 
     /// Work of the loads between two states by the trapezoidal rule, of the
     /// supports, and of the fluid in the cracks; N (mJ per mm thickness).
-    double external_work(const State &before, const State &after) const;
+    double external_work(const State &before, const State &after);
 
     /// Of the state that solve() left, with its lagged phase field; N (mJ per
     /// mm thickness). At small strain half of loads and reactions times the
@@ -190,8 +200,27 @@ namespace MixedCracks
     /// Ask, and remember the answer for Newton's method.
     bool ask_to_stop(const std::string &finished);
 
-    /// Of body force and tractions.
+    /// Of body force, tractions and forces at points.
     LinearAlgebra::Vector dead_loads(double time) const;
+
+    /// These and the pressures that follow the boundary, in a state.
+    LinearAlgebra::Vector loads_in(const State &state);
+
+    /// Set the pressures at @p time, of which @p part has come since @p from.
+    void set_pressures(double from, double time, double part);
+
+    /// Take the forces of the pressures at @p elastic, which has ghosts, from
+    /// `full_residual`; their size.
+    double subtract_pressures(const LinearAlgebra::Vector &elastic);
+
+    /// Forces at @p elastic, which has ghosts, of the pressures that have not
+    /// come yet.
+    LinearAlgebra::Vector
+    pressures_to_come(const LinearAlgebra::Vector &elastic);
+
+    /// The loads that a line search takes for constant.
+    double work_along_search(const LinearAlgebra::Vector &elastic,
+                             const LinearAlgebra::Vector &displacement);
 
     /// These and those of the fluid in the cracks of @p phase_field, with
     /// ghosts.
@@ -230,6 +259,9 @@ namespace MixedCracks
     ElasticAssessment             assessment;
     ElasticPotential<dim>         potential;              // at finite strain
     double                        present_potential = 0.; // of the iterate
+    FollowerPressure<dim>         follower;               // at finite strain
+    LinearAlgebra::Vector         search_forces; // of it, for a line search
+    bool                          search_begins = false;
     /// whether any place that the present correction led to has another regime
     /// of the split than the matrix
     bool   crosses_regimes = false;

@@ -20,6 +20,20 @@ namespace MixedCracks
     // Of strains, at finite strain: stresses are known to some 1e-16 of the
     // moduli, which is to be within a Newton tolerance of 1e-8.
     constexpr double strain_floor = 1e-7;
+
+
+
+    // That is so at rest. In a body that is turned, stresses are what is left
+    // of displacements that are large against its cells: at angles from 0.2 on
+    // their rounding was seen to keep Newton's method from its tolerance. In a
+    // body that is stretched by as much it is next to nothing of the stress.
+    template <int dim>
+    double
+    loss_by_turning(const Tensor<2, dim> &gradient)
+    {
+      constexpr double growth = 100.;
+      return 1. + growth * gradient.norm();
+    }
   } // namespace
 
 
@@ -90,7 +104,8 @@ namespace MixedCracks
   // h = V^(1/dim). Newton's method compares |R_u| with the root of the sum of
   // s_u^2, |R_p| with that of s_p^2. At finite strain the stress itself is what
   // is left of terms that cancel, 0 at F = I but for rounding: there |sigma|
-  // and |eps| are no less than what strains of strain_floor make.
+  // and |eps| are no less than what strains of strain_floor make, and more
+  // where a body is turned or stretched far.
   template <int dim>
   std::pair<double, double>
   ElasticKernel<dim>::squared_scale() const
@@ -106,8 +121,9 @@ namespace MixedCracks
         (material.is_finite() ? here.norm() : symmetrize(here).norm()) * weight;
       if (material.is_finite())
       {
-        strain += strain_floor * weight;
-        stress += strain_floor * states[q].degradation *
+        const double floor = strain_floor * loss_by_turning(states[q].gradient);
+        strain += floor * weight;
+        stress += floor * states[q].degradation *
                   (2. * constants[q].mu + (mixed ? 0. : constants[q].lambda)) *
                   weight;
       }

@@ -15,7 +15,8 @@
 //
 // Every expression has deal.II's parser of space, whose variables are a point
 // and the time, whatever the names mean; those that are not needed are
-// "unused_...".
+// "unused_...". A table is a variable that no user can name, in the place of
+// one that the formula does not use.
 
 #include <base/errors.h>
 #include <base/expression.h>
@@ -96,6 +97,12 @@ namespace MixedCracks
         else
           ++i;
       return words;
+    }
+
+    std::string
+    name_of_table(const std::size_t i)
+    {
+      return "_table_" + std::to_string(i);
     }
 
     std::string
@@ -206,9 +213,14 @@ namespace MixedCracks
     if (formula.empty())
       reason = "it is empty";
     if (reason.empty())
-      reason = misleading_character(formula);
+      reason = take_tables();
     if (reason.empty())
-      reason = unknown_word(formula, variables);
+      reason = misleading_character(compiled);
+    std::vector<std::string> known = variables;
+    for (std::size_t i = 0; i < tables.size(); ++i)
+      known.push_back(name_of_table(i));
+    if (reason.empty())
+      reason = unknown_word(compiled, known);
     if (reason.empty())
       try
       {
@@ -233,17 +245,54 @@ namespace MixedCracks
 
 
 
+  // Without a table every variable has its place, used or not.
+  std::string
+  Expression::take_tables()
+  {
+    std::string missing;
+    compiled = replace_tables(formula, [&](const TableCall &call) {
+      tables.push_back(kept_time_table(call.path));
+      if (!tables.back())
+        missing = "the table '" + call.path + "' has not been read";
+      return name_of_table(tables.size() - 1);
+    });
+    const std::vector<std::string> words   = words_of(compiled);
+    const auto                     is_used = [&words](const std::string &name) {
+      return std::find(words.begin(), words.end(), name) != words.end();
+    };
+    if (is_used("table"))
+      return "a table is a file in quotation marks, whose value is that at the "
+             "time t, as in table(\"load.csv\")";
+    for (std::size_t i = 0; i < variables.size(); ++i)
+      if (tables.empty() || is_used(variables[i]))
+        used.push_back(i);
+    if (tables.empty())
+      return "";
+    if (std::find(variables.begin(), variables.end(), "t") == variables.end())
+      return "a table is a value over time, and nothing here depends on t";
+    return used.size() + tables.size() > n_parser_variables
+             ? "with a table it takes more than four variables and tables"
+             : missing;
+  }
+
+
+
   void
   Expression::compile()
   {
-    std::string names = join_names(variables, ",");
-    for (std::size_t i = variables.size(); i < n_parser_variables; ++i)
-      names += ",unused_" + std::to_string(i);
+    std::vector<std::string> inputs;
+    for (const std::size_t i : used)
+      inputs.push_back(variables[i]);
+    for (std::size_t i = 0; i < tables.size(); ++i)
+      inputs.push_back(name_of_table(i));
+    for (std::size_t i = inputs.size(); i < n_parser_variables; ++i)
+      inputs.push_back("unused_" + std::to_string(i));
+    const std::string names = join_names(inputs, ",");
 
     const SilentErrorStream silence;
     const auto              fresh = std::make_shared<Parser>();
     fresh->initialize(names,
-                      {formula},
+                      {compiled},
                       {{"pi", dealii::numbers::PI}},
                       /*time_dependent=*/true);
     parser = fresh;
@@ -258,8 +307,16 @@ namespace MixedCracks
   Expression::evaluate(const std::vector<double> &values) const
   {
     AssertDimension(values.size(), variables.size());
-    double padded[n_parser_variables] = {0., 0., 0., 0.};
-    std::copy(values.begin(), values.end(), padded);
+    double      padded[n_parser_variables] = {0., 0., 0., 0.};
+    std::size_t n                          = 0;
+    for (const std::size_t i : used)
+      padded[n++] = values[i];
+    if (!tables.empty())
+    {
+      const auto t = std::find(variables.begin(), variables.end(), "t");
+      for (const auto &table : tables)
+        padded[n++] = (*table)(values[t - variables.begin()]);
+    }
     return parser->do_value(
       dealii::Point<3>(padded[0], padded[1], padded[2]), padded[3], 0);
   }
@@ -269,8 +326,9 @@ namespace MixedCracks
   bool
   Expression::uses(const std::string &name) const
   {
-    const std::vector<std::string> words = words_of(formula);
-    return std::find(words.begin(), words.end(), name) != words.end();
+    const std::vector<std::string> words = words_of(compiled);
+    return (name == "t" && !tables.empty()) ||
+           std::find(words.begin(), words.end(), name) != words.end();
   }
 
 

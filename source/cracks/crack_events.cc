@@ -48,7 +48,7 @@ namespace MixedCracks
 
 
     double
-    length_of(const std::vector<Crack> &paths)
+    whole_length(const std::vector<Crack> &paths)
     {
       double length = 0.;
       for (const Crack &crack : paths)
@@ -145,7 +145,7 @@ namespace MixedCracks
     const bool              is_first = !initial_length;
     std::vector<CrackEvent> events;
     CrackEvent              now;
-    now.crack_length = length_of(cracks.paths);
+    now.crack_length = whole_length(cracks.paths);
     now.growth = is_first ? 0. : rounded(now.crack_length - *initial_length);
     const auto add = [&](const std::string             &kind,
                          const std::string             &boundary,

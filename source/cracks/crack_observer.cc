@@ -17,6 +17,7 @@
 #include <deal.II/base/mpi.h>
 
 #include <algorithm>
+#include <utility>
 
 namespace MixedCracks
 {
@@ -58,13 +59,11 @@ namespace MixedCracks
 
   template <int dim>
   CrackObserver<dim>::CrackObserver(
-    const Fields<dim>                               &fields,
-    const std::map<std::string, types::boundary_id> &ids)
+    const Fields<dim>                        &fields,
+    std::map<types::boundary_id, std::string> names)
     : fields(fields)
-  {
-    for (const auto &[name, id] : ids)
-      names[id] = name;
-  }
+    , names(std::move(names))
+  {}
 
 
 

@@ -18,9 +18,7 @@
 #include <deal.II/numerics/vector_tools.h>
 
 #include <discretization/constraints.h>
-#include <discretization/nearest_vertex.h>
-
-#include <sstream>
+#include <discretization/symmetry_plane.h>
 
 namespace MixedCracks
 {
@@ -49,53 +47,41 @@ namespace MixedCracks
 
 
 
-  // The dofs of the vertex at each point, within 1e-6 of the diameter of a
-  // cell. A hanging vertex cannot be held: its value follows from its
-  // neighbours.
   template <int dim>
-  std::vector<types::global_dof_index>
+  std::vector<VertexDofs>
   Constraints<dim>::find_points() const
   {
-    std::vector<types::global_dof_index> dofs(points.size(),
-                                              numbers::invalid_dof_index);
-    const FiniteElement<dim>            &element = fields.elastic.get_fe();
-    std::vector<types::global_dof_index> indices(element.n_dofs_per_cell());
-    for (const auto &cell : fields.elastic.active_cell_iterators())
-      if (!cell->is_artificial())
-        for (std::size_t i = 0; i < points.size(); ++i)
-          for (const unsigned int v : cell->vertex_indices())
-            if (cell->vertex(v).distance(points[i].point) <
-                1e-6 * cell->diameter())
-            {
-              cell->get_dof_indices(indices);
-              // the dofs of the vertices come first
-              for (unsigned int k = 0; k < element.n_dofs_per_vertex(); ++k)
-              {
-                const unsigned int local = v * element.n_dofs_per_vertex() + k;
-                if (element.system_to_component_index(local).first ==
-                      points[i].component &&
-                    !elastic_hanging.is_constrained(indices[local]))
-                  dofs[i] = indices[local];
-              }
-            }
-    std::vector<int> found;
-    for (const types::global_dof_index dof : dofs)
-      found.push_back(dof != numbers::invalid_dof_index ? 1 : 0);
-    Utilities::MPI::max(found, fields.communicator(), found);
-    for (std::size_t i = 0; i < points.size(); ++i)
-      if (found[i] == 0)
-      {
-        std::ostringstream message;
-        message << "Boundary conditions/Displacement at points: found '"
-                << points[i].point
-                << "', where the mesh has no vertex (or a hanging node). "
-                   "Allowed are the vertices of its cells; the nearest is "
-                << in_words(nearest_vertex(fields.elastic.get_triangulation(),
-                                           points[i].point))
-                << ".";
-        throw InputError(message.str());
-      }
-    return dofs;
+    std::vector<VertexComponent<dim>> places;
+    for (const PrescribedPoint<dim> &entry : points)
+      places.push_back({entry.point, entry.component, !entry.set.empty()});
+    return dofs_at_vertices(fields.elastic,
+                            elastic_hanging,
+                            places,
+                            "Boundary conditions/Displacement at points");
+  }
+
+
+
+  // The component is that of the coarse mesh, and stays.
+  template <int dim>
+  void
+  Constraints<dim>::resolve_symmetry()
+  {
+    for (PrescribedComponent<dim> &entry : prescribed)
+    {
+      if (entry.component != PrescribedComponent<dim>::normal)
+        continue;
+      const unsigned int component = component_normal_to(
+        fields.elastic.get_triangulation(), entry.boundary, entry.name);
+      for (const PrescribedComponent<dim> &other : prescribed)
+        if (other.boundary == entry.boundary && other.component == component)
+          throw InputError("Boundary conditions/Displacement: found '" +
+                           entry.name + " : symmetry' and '" + entry.name +
+                           " : " + "xyz"[component] +
+                           "', which prescribe the same component. Allowed is "
+                           "one of them.");
+      entry.component = component;
+    }
   }
 
 
@@ -116,19 +102,23 @@ namespace MixedCracks
     DoFTools::make_hanging_node_constraints(fields.phase_field,
                                             phase_field_hanging);
 
+    if (source_of_points)
+      points = source_of_points();
+    resolve_symmetry();
     prescribed_dofs.clear();
     prescribed_dofs.set_size(fields.elastic.n_dofs());
     for (const PrescribedComponent<dim> &entry : prescribed)
     {
       const ComponentMask mask(mask_of(entry));
-      DoFTools::make_zero_boundary_constraints(
-        fields.elastic, entry.boundary, elastic_newton, mask);
-      prescribed_dofs.add_indices(DoFTools::extract_boundary_dofs(
-        fields.elastic, mask, std::set<types::boundary_id>{entry.boundary}));
+      for (const types::boundary_id id : entry.boundary)
+        DoFTools::make_zero_boundary_constraints(
+          fields.elastic, id, elastic_newton, mask);
+      prescribed_dofs.add_indices(
+        DoFTools::extract_boundary_dofs(fields.elastic, mask, entry.boundary));
     }
     point_dofs = find_points();
-    for (const types::global_dof_index dof : point_dofs)
-      if (dof != numbers::invalid_dof_index)
+    for (const VertexDofs &dofs : point_dofs)
+      for (const types::global_dof_index dof : dofs)
       {
         if (!elastic_newton.is_constrained(dof))
           elastic_newton.add_line(dof);
@@ -155,19 +145,18 @@ namespace MixedCracks
            ++entry)
       {
         entry->value->set_time(time);
-        VectorTools::interpolate_boundary_values(fields.mapping,
-                                                 fields.elastic,
-                                                 entry->boundary,
-                                                 *entry->value,
-                                                 values,
-                                                 mask_of(*entry));
+        std::map<types::boundary_id, const Function<dim> *> on_ids;
+        for (const types::boundary_id id : entry->boundary)
+          on_ids[id] = entry->value.get();
+        VectorTools::interpolate_boundary_values(
+          fields.mapping, fields.elastic, on_ids, values, mask_of(*entry));
       }
       for (std::size_t i = 0; i < points.size(); ++i)
-        if (point_dofs[i] != numbers::invalid_dof_index)
+        for (const types::global_dof_index dof : point_dofs[i])
         {
           points[i].value->set_time(time);
           values.insert(
-            {point_dofs[i],
+            {dof,
              points[i].value->value(points[i].point, points[i].component)});
         }
     });

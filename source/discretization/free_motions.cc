@@ -300,7 +300,7 @@ namespace MixedCracks
       for (const unsigned int f : cell->face_indices())
         if (const auto face = cell->face(f); face->at_boundary())
           for (const auto &entry : components)
-            if (entry.boundary == face->boundary_id())
+            if (entry.boundary.contains(face->boundary_id()))
             {
               const unsigned int part = parts.of_cell(cell->index());
               for (const unsigned int v : face->vertex_indices())

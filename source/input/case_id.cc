@@ -116,9 +116,10 @@ namespace MixedCracks
       else if (canonical(entry.value) == canonical(entry.default_value))
         continue;
       else
-        lines[full_name] = names_input_file(entry)
-                             ? description_of_file(entry.value, communicator)
-                             : canonical(entry.value);
+        lines[full_name] =
+          names_input_file(entry)
+            ? description_of_file(entry.value, communicator)
+            : canonical(with_contents_of_tables(entry.value, communicator));
     }
     std::string text = "schema " + std::to_string(case_id_schema()) + '\n';
     for (const auto &[full_name, value] : lines)

@@ -16,6 +16,7 @@
 #include <base/errors.h>
 #include <base/names.h>
 #include <base/text.h>
+#include <base/time_table.h>
 #include <base/version.h>
 
 #include <input/canonical_text.h>
@@ -242,7 +243,10 @@ namespace MixedCracks
       {"Boundary conditions", Rule::no},
       {"Boundary conditions/Displacement", Rule::if_failed},
       {"Boundary conditions/Displacement at points", Rule::if_failed},
+      {"Boundary conditions/Force at points", Rule::if_failed},
+      {"Boundary conditions/Phase field at points", Rule::if_failed},
       {"Boundary conditions/Traction", Rule::if_failed},
+      {"Boundary conditions/Pressure", Rule::if_failed},
       {"Boundary conditions/Body force", Rule::if_failed},
       {"Fluid", Rule::if_failed},
       {"Initial cracks", Rule::no},
@@ -250,8 +254,8 @@ namespace MixedCracks
       {"Load stepping/Force boundary", Rule::no}, // the columns of the force
       {"Linear solver", Rule::yes},
       {"Output", Rule::yes},
-      {"Output/Displacement at points",
-       Rule::if_empty}}; // columns of their own
+      {"Output/Displacement at points", Rule::if_empty}, // columns of their own
+      {"Output/Watched boundaries", Rule::no}}; // behind them, in each row
     return rules;
   }
 
@@ -290,6 +294,16 @@ namespace MixedCracks
 
 
 
+  std::string
+  with_contents_of_tables(const std::string &value, const MPI_Comm communicator)
+  {
+    return replace_tables(value, [communicator](const TableCall &call) {
+      return "table(" + description_of_file(call.path, communicator) + ')';
+    });
+  }
+
+
+
   bool
   is_of_other_geometry(const std::string &name, const std::string &geometry)
   {
@@ -317,7 +331,9 @@ namespace MixedCracks
       const std::string name    = entry.full_name();
       const ResumeRule *rule    = resume_rule(name);
       const bool        is_free = rule != nullptr && may_change(*rule);
-      const std::string line    = name + " = " + entry.value + '\n';
+      const std::string line =
+        name + " = " + with_contents_of_tables(entry.value, communicator) +
+        '\n';
       if (!is_free && entry.name == "File name")
         signature.problem += "contents of " + name + " = " +
                              description_of_file(entry.value, communicator) +

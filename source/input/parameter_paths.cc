@@ -7,6 +7,7 @@
 
 #include <base/errors.h>
 #include <base/text.h>
+#include <base/time_table.h>
 
 #include <deal.II/base/mpi.h>
 
@@ -20,6 +21,57 @@
 namespace MixedCracks
 {
   namespace fs = std::filesystem;
+
+  namespace
+  {
+    // Names that are the value, or stand in it: table("load.csv").
+    bool
+    has_path(const ParameterAssignment &assignment)
+    {
+      return (names_input_file(*assignment.entry) &&
+              !assignment.value.empty()) ||
+             !table_calls(assignment.value).empty();
+    }
+
+
+
+    std::string
+    with_absolute_path(const ParameterAssignment &assignment)
+    {
+      if (names_input_file(*assignment.entry))
+        return absolute_path(assignment.value, assignment.folder);
+      return replace_tables(assignment.value, [&](const TableCall &call) {
+        return "table(\"" + absolute_path(call.path, assignment.folder) + "\")";
+      });
+    }
+
+
+
+    // What the place of a path cannot hold, in parameters.prm or in a list.
+    void
+    require_possible_path(const ParameterAssignment &assignment,
+                          const std::string         &value)
+    {
+      const auto require_without = [&](const std::string &path,
+                                       const std::string &characters,
+                                       const std::string &in_words) {
+        if (path.find_first_of(characters) != std::string::npos)
+          throw InputError(assignment.place + ": " +
+                           assignment.entry->full_name() + ": found " +
+                           in_quotes(path) + ": a path cannot hold " +
+                           in_words + ".");
+      };
+      if (names_input_file(*assignment.entry))
+        require_without(value, "#\n\r", "'#' or a line break");
+      else
+        for (const TableCall &call : table_calls(value))
+          require_without(call.path,
+                          "#;:\n\r",
+                          "'#', ';', ':' or a line break in table(...)");
+    }
+  } // namespace
+
+
 
   bool
   names_input_file(const ParameterEntry &entry)
@@ -53,21 +105,16 @@ namespace MixedCracks
   {
     std::vector<std::string> values;
     for (const ParameterAssignment &assignment : assignments)
-      if (names_input_file(*assignment.entry) && !assignment.value.empty())
-        values.push_back(absolute_path(assignment.value, assignment.folder));
+      if (has_path(assignment))
+        values.push_back(with_absolute_path(assignment));
     if (values.empty())
       return assignments;
     values    = dealii::Utilities::MPI::broadcast(comm, values, 0);
     auto next = values.begin();
     for (ParameterAssignment &assignment : assignments)
-      if (names_input_file(*assignment.entry) && !assignment.value.empty())
+      if (has_path(assignment))
       {
-        // parameters.prm could not hold these
-        if (next->find_first_of("#\n\r") != std::string::npos)
-          throw InputError(assignment.place + ": " +
-                           assignment.entry->full_name() + ": found " +
-                           in_quotes(*next) +
-                           ": a path cannot hold '#' or a line break.");
+        require_possible_path(assignment, *next);
         assignment.value = *next++;
       }
     return assignments;

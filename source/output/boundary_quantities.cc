@@ -30,7 +30,7 @@
 
 #include <algorithm>
 #include <map>
-#include <set>
+#include <utility>
 
 namespace MixedCracks
 {
@@ -38,12 +38,12 @@ namespace MixedCracks
 
   template <int dim>
   BoundaryQuantities<dim>::BoundaryQuantities(
-    const Fields<dim>                      &fields,
-    const Constraints<dim>                 &constraints,
-    const std::optional<types::boundary_id> force_boundary)
+    const Fields<dim>      &fields,
+    const Constraints<dim> &constraints,
+    BoundaryIds             force_boundary)
     : fields(fields)
     , constraints(constraints)
-    , boundary(force_boundary)
+    , boundary(std::move(force_boundary))
   {}
 
 
@@ -52,7 +52,7 @@ namespace MixedCracks
   void
   BoundaryQuantities<dim>::reinit()
   {
-    if (boundary)
+    if (!boundary.empty())
       reinit_at_boundary();
     else
       reinit_at_points();
@@ -77,11 +77,10 @@ namespace MixedCracks
     for (IndexSet &dofs : owned_dofs)
       dofs = IndexSet(fields.elastic.n_dofs());
     for (std::size_t i = 0; i < points.size(); ++i)
-      if (const auto dof = constraints.dofs_of_points()[i];
-          dof != numbers::invalid_dof_index &&
-          fields.elastic_dofs.owned.is_element(dof) &&
-          (!any || moves(points[i].point)))
-        owned_dofs[points[i].component].add_index(dof);
+      for (const auto dof : constraints.dofs_of_points()[i])
+        if (fields.elastic_dofs.owned.is_element(dof) &&
+            (!any || moves(points[i].point)))
+          owned_dofs[points[i].component].add_index(dof);
     sign = 1.;
   }
 
@@ -96,9 +95,7 @@ namespace MixedCracks
       std::vector<bool> mask(fields.elastic.get_fe().n_components(), false);
       mask[d]       = true;
       owned_dofs[d] = DoFTools::extract_boundary_dofs(
-                        fields.elastic,
-                        ComponentMask(mask),
-                        std::set<types::boundary_id>{*boundary}) &
+                        fields.elastic, ComponentMask(mask), boundary) &
                       fields.elastic_dofs.owned;
     }
 
@@ -111,7 +108,7 @@ namespace MixedCracks
       if (cell->is_locally_owned())
         for (const unsigned int face : cell->face_indices())
           if (cell->face(face)->at_boundary() &&
-              cell->face(face)->boundary_id() == *boundary)
+              boundary.contains(cell->face(face)->boundary_id()))
           {
             face_values.reinit(cell, face);
             for (unsigned int q = 0; q < face_values.n_quadrature_points; ++q)
@@ -140,6 +137,30 @@ namespace MixedCracks
 
 
 
+  namespace
+  {
+    // to the integral of the magnitude over a face, and to the area
+    template <int dim>
+    void
+    add_displacement(
+      const FEFaceValues<dim>                             &face_values,
+      const std::vector<const PrescribedComponent<dim> *> &entries,
+      double                                              *sums)
+    {
+      for (unsigned int q = 0; q < face_values.n_quadrature_points; ++q)
+      {
+        Tensor<1, dim> value;
+        for (const auto *entry : entries)
+          value[entry->component] = entry->value->value(
+            face_values.quadrature_point(q), entry->component);
+        sums[0] += value.norm() * face_values.JxW(q);
+        sums[1] += face_values.JxW(q);
+      }
+    }
+  } // namespace
+
+
+
   // Two numbers per boundary, integral and area. An expression may fail in a
   // point of one rank: together() throws on all, before the sum, or they would
   // deadlock.
@@ -147,7 +168,7 @@ namespace MixedCracks
   double
   BoundaryQuantities<dim>::displacement(const double time) const
   {
-    std::map<types::boundary_id, std::vector<const PrescribedComponent<dim> *>>
+    std::map<BoundaryIds, std::vector<const PrescribedComponent<dim> *>>
       by_boundary;
     for (const auto &entry : constraints.prescribed_components())
     {
@@ -167,20 +188,16 @@ namespace MixedCracks
           {
             if (!cell->face(face)->at_boundary())
               continue;
-            const auto found =
-              by_boundary.find(cell->face(face)->boundary_id());
-            if (found == by_boundary.end())
-              continue;
-            const auto at = 2 * std::distance(by_boundary.begin(), found);
-            face_values.reinit(cell, face);
-            for (unsigned int q = 0; q < face_values.n_quadrature_points; ++q)
+            const auto  id = cell->face(face)->boundary_id();
+            std::size_t at = 0;
+            for (const auto &[ids, entries] : by_boundary)
             {
-              Tensor<1, dim> value;
-              for (const auto *entry : found->second)
-                value[entry->component] = entry->value->value(
-                  face_values.quadrature_point(q), entry->component);
-              sums[at] += value.norm() * face_values.JxW(q);
-              sums[at + 1] += face_values.JxW(q);
+              if (ids.contains(id))
+              {
+                face_values.reinit(cell, face);
+                add_displacement(face_values, entries, &sums[at]);
+              }
+              at += 2;
             }
           }
     });

@@ -33,7 +33,7 @@ namespace MixedCracks
   namespace
   {
     // that of all files but the rows, which had so many quantities then
-    constexpr unsigned int format_of_files = 4;
+    constexpr unsigned int format_of_files = 5;
     constexpr unsigned int n_quantities    = 25;
 
     const std::string seal_name   = "/seal.txt";

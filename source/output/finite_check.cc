@@ -45,6 +45,8 @@ namespace MixedCracks
         {"the change in the coupling", row["coupling_change"]}};
       for (const double displacement : row.point_displacements)
         quantities.emplace_back("the displacement at a point", displacement);
+      for (const double reaction : row.reactions)
+        quantities.emplace_back("the reaction at a point", reaction);
       for (const auto &[name, value] : quantities)
         if (!std::isfinite(value))
           return format("%s is not finite (%g)", name, value);

@@ -20,7 +20,13 @@ namespace MixedCracks
       "these points of the undeformed body, anywhere in it; blanks in a name "
       "become `_`. They are found again on every new mesh; a point outside is "
       "refused. On a slit, where there are two displacements, it is their mean "
-      "|\n";
+      "|\n"
+      "| `reaction_1_x_N`, ... | only with `Boundary conditions/Displacement at "
+      "points`: reaction of each component that is prescribed there, as it acts "
+      "on the body, of the whole body: in 2-d with thickness. The number is "
+      "that of the point in the order of the entry, from 1; a point set has its "
+      "name, blanks as `_`, and the sum over its points. On a slit, the sum of "
+      "both faces |\n";
   } // namespace
 
 

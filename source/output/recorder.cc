@@ -46,6 +46,12 @@ namespace MixedCracks
                          crack_opening.lines(),
                          fields.communicator())
     , point_displacements(fields, options.points.points())
+    , watched_boundaries(fields,
+                         constraints,
+                         options.watched,
+                         options.thickness,
+                         options.finite_strain)
+    , point_reactions(constraints, options.held_points)
     , slit_watch(fields)
     , statistics(fields.communicator())
     , field_output(fields,
@@ -87,6 +93,7 @@ namespace MixedCracks
     length_scale = length;
     boundary_quantities.reinit();
     point_displacements.reinit();
+    watched_boundaries.reinit();
     if (!crack_opening.lines().empty())
       crack_opening.reinit(options.crack_opening.reach * length_scale);
   }
@@ -97,10 +104,14 @@ namespace MixedCracks
   void
   Recorder<dim>::open_statistics()
   {
+    std::vector<std::string> columns = point_reactions.column_names();
+    for (const std::string &column : watched_boundaries.column_names())
+      columns.push_back(column);
     statistics.open(options.output.directory + "/statistics.csv",
                     dim,
                     asked_quantities(),
-                    point_displacements.column_names());
+                    point_displacements.column_names(),
+                    columns);
   }
 
 
@@ -146,6 +157,11 @@ namespace MixedCracks
     step.n_refinements      = n_refinements;
     StatisticsRow row       = evaluate_quantities(step, asked_quantities());
     row.point_displacements = point_displacements.evaluate(state.elastic);
+    row.reactions           = point_reactions.evaluate(fields, state.reaction);
+    for (double &reaction : row.reactions)
+      reaction *= options.thickness;
+    for (const double value : watched_boundaries.evaluate(state))
+      row.reactions.push_back(value);
     return row;
   }
 

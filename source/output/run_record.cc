@@ -38,7 +38,10 @@ namespace MixedCracks
           .push_back(&row.values[i]);
       is_old = is_old && quantity.name != "crack_volume";
     }
-    return std::make_tuple(before, std::ref(row.point_displacements), behind);
+    return std::make_tuple(before,
+                           std::ref(row.point_displacements),
+                           behind,
+                           std::ref(row.reactions));
   }
 
 

@@ -32,7 +32,8 @@ namespace MixedCracks
   StatisticsTable::open(const std::string              &file_name,
                         const int                       dim,
                         const std::vector<std::string> &asked,
-                        const std::vector<std::string> &point_columns)
+                        const std::vector<std::string> &point_columns,
+                        const std::vector<std::string> &reaction_columns)
   {
     columns.clear();
     std::vector<std::string> names;
@@ -43,8 +44,10 @@ namespace MixedCracks
         names.push_back(quantity.column(dim));
       }
     names.insert(names.end(), point_columns.begin(), point_columns.end());
-    n_point_columns = point_columns.size();
-    name            = file_name;
+    names.insert(names.end(), reaction_columns.begin(), reaction_columns.end());
+    n_point_columns    = point_columns.size();
+    n_reaction_columns = reaction_columns.size();
+    name               = file_name;
     std::string message;
     if (dealii::Utilities::MPI::this_mpi_process(communicator) == 0)
     {
@@ -84,12 +87,18 @@ namespace MixedCracks
           << value_of(*quantity, row, table.front())
           << (quantity == columns.back() ? "" : ",");
     }
-    for (std::size_t i = 0; i < n_point_columns; ++i)
-    {
-      out << ',' << std::setprecision(10);
-      if (i < row.point_displacements.size())
-        out << row.point_displacements[i];
-    }
+    const auto write = [&out](const std::vector<double> &values,
+                              const std::size_t          n) {
+      out << std::setprecision(10);
+      for (std::size_t i = 0; i < n; ++i)
+      {
+        out << ',';
+        if (i < values.size())
+          out << values[i];
+      }
+    };
+    write(row.point_displacements, n_point_columns);
+    write(row.reactions, n_reaction_columns);
     out << '\n';
     return out.str();
   }

@@ -3,9 +3,16 @@
 // time and w a test function, in the terms of (M5) of doc/model.md:
 //
 //   Displacement             u_c = u_D(x, t) on a boundary, mm
-//   Displacement at points   u_c = u_D(x, t) at a vertex, mm
 //     component phase field  phi = phi_D(x, t) on a boundary, within 0 and 1
+//     rotation about c       (R(u_D) - I)(x - c), u_D an angle in rad
+//     symmetry               u . n = 0 on a plane
+//   Displacement at points   u_c = u_D(x, t) at a vertex, mm
+//   Phase field at points    phi = phi_D(x, t) at a vertex, within 0 and 1
+//   Force at points          P_c(x, t) w_c at a vertex, N
 //   Traction                 ( tau(x, t), w ) on a boundary, tau in MPa
+//     component normal       tau n, n the outward normal before deformation
+//   Pressure                 ( -p(x, t) n, w ) on a boundary, p in MPa; finite
+//                            strain: ( -p cof(F) n, w )
 //   Body force               ( f(x, t), w ) in the body, f in N/mm^3
 //
 // Each component is a condition of its own: a roller has one, a clamp, "all",
@@ -25,6 +32,7 @@
 #include <deal.II/base/patterns.h>
 
 #include <problem/boundary_conditions.h>
+#include <problem/boundary_entries.h>
 
 #include <algorithm>
 
@@ -34,93 +42,15 @@ namespace MixedCracks
 
   namespace
   {
-    const std::vector<std::string> variables = {"x", "y", "z", "t"};
     const std::string displacement_name = "Boundary conditions/Displacement";
     const std::string points_name =
       "Boundary conditions/Displacement at points";
+    const std::string forces_name = "Boundary conditions/Force at points";
+    const std::string phase_fields_name =
+      "Boundary conditions/Phase field at points";
     const std::string traction_name   = "Boundary conditions/Traction";
+    const std::string pressure_name   = "Boundary conditions/Pressure";
     const std::string body_force_name = "Boundary conditions/Body force";
-
-    // components a name stands for
-    template <int dim>
-    std::vector<unsigned int>
-    components_of(const std::string &name,
-                  const bool         with_phase_field,
-                  const std::string &parameter)
-    {
-      std::vector<std::string> allowed = {"x", "y"};
-      if (dim == 3)
-        allowed.push_back("z");
-      for (unsigned int d = 0; d < dim; ++d)
-        if (name == allowed[d])
-          return {d};
-      if (name == "all")
-      {
-        std::vector<unsigned int> all;
-        for (unsigned int d = 0; d < dim; ++d)
-          all.push_back(d);
-        return all;
-      }
-      if (with_phase_field && name == "phase field")
-        return {dim};
-      allowed.push_back("all");
-      if (with_phase_field)
-        allowed.push_back("phase field");
-      throw InputError(parameter +
-                       ": component: " + unknown_name_message(name, allowed));
-    }
-
-
-
-    // a second value of one component on one boundary would be lost
-    template <int dim>
-    void
-    require_new(const std::vector<BoundaryEntry<dim>> &entries,
-                const std::string                     &boundary,
-                const unsigned int                     component,
-                const std::string                     &found,
-                const std::string                     &parameter)
-    {
-      for (const BoundaryEntry<dim> &earlier : entries)
-        if (earlier.boundary == boundary && earlier.component == component)
-          throw InputError(
-            parameter + ": found '" + found +
-            "', a second entry for a component that has one. "
-            "Allowed is one for each component" +
-            (boundary.empty() ? "." : " of '" + boundary + "'."));
-    }
-
-
-
-    template <int dim>
-    std::vector<BoundaryEntry<dim>>
-    read_entries(const std::string &text,
-                 const bool         with_boundary,
-                 const bool         with_phase_field,
-                 const std::string &parameter)
-    {
-      std::vector<BoundaryEntry<dim>> result;
-      for (const std::string &entry : split_list(text, ';'))
-      {
-        std::vector<std::string> parts = split_list(entry, ':');
-        if (!with_boundary)
-          parts.insert(parts.begin(), "");
-        if (parts.size() != 3)
-          throw InputError(
-            parameter + ": found '" + entry + "', allowed is '" +
-            (with_boundary ? "boundary : " : "") +
-            "component : expression', several separated by ';'.");
-        const auto expression =
-          std::make_shared<const Expression>(parts[2], variables, parameter);
-        for (const unsigned int component :
-             components_of<dim>(parts[1], with_phase_field, parameter))
-        {
-          require_new(result, parts[0], component, entry, parameter);
-          result.push_back({parts[0], component, expression});
-        }
-      }
-      return result;
-    }
   } // namespace
 
 
@@ -133,8 +63,11 @@ namespace MixedCracks
   {
     if (!expressions[component])
       return 0.;
-    return (*expressions[component])(
+    const double value = (*expressions[component])(
       {point[0], point[1], dim == 3 ? point[dim - 1] : 0., this->get_time()});
+    return rotations[component]
+             ? rotations[component]->displacement(point, value)[component]
+             : value;
   }
 
 
@@ -148,23 +81,56 @@ namespace MixedCracks
       "Displacement",
       displacement_text,
       "Prescribed values: 'boundary : component : expression ; ...' with "
-      "components x, y, z, all, phase field, and expressions in x, y, z, t. "
-      "Where two boundaries meet, the entry named first decides. Unit: mm "
-      "(phase field: 1).");
+      "components x, y, z, all, phase field, and expressions in x, y, z, t, "
+      "where table(\"load.csv\") is the value at t of a file of rows 'time, "
+      "value', linear between them. "
+      "Where two boundaries meet, the entry named first decides. 'boundary : "
+      "symmetry' is a plane of symmetry, parallel to the axes: nothing moves "
+      "through it. 'rotation "
+      "about 0, 0' in place of the component turns the boundary as a rigid "
+      "whole, counter-clockwise, by the angle of the expression, u = "
+      "(R - I)(x - c); in 3-d 'rotation about 0, 0, 0 axis 0, 0, 1', or 'twist "
+      "about ...', which leaves the motion along the axis free. Unit: mm "
+      "(phase field: 1, angles: rad).");
     prm.add_parameter(
       "Displacement at points",
       point_displacement_text,
       "Prescribed displacement of single vertices of the mesh, as of the "
       "supports of a beam: 'point : component : expression ; ...', as in '0, 0 "
-      ": y : 0'. Where a boundary prescribes the same component, the boundary "
+      ": y : 0', or with the name of one of Geometry/Point sets in the place of "
+      "the point. Where a boundary prescribes the same component, the boundary "
       "decides. Points alone may hold the body, too. The stress under a single "
       "node grows without limit as cells shrink: keep cracks away from it. "
-      "Unit: mm.");
+      "On a slit both faces are held. Unit: mm.");
+    prm.add_parameter(
+      "Force at points",
+      point_force_text,
+      "Forces on single vertices of the mesh: 'point : component : expression "
+      "; ...' with components x, y, z, all, as in '4, 2 : y : -10*t'. They are "
+      "forces on the whole body, in 2-d on all of its thickness, and dead "
+      "loads. Displacement and stress under a point grow without limit as "
+      "cells shrink. Unit: N.");
+    prm.add_parameter(
+      "Phase field at points",
+      point_phase_field_text,
+      "Prescribed phase field of single vertices of the mesh: 'point : value ; "
+      "...', as in '4, 2 : 1', where the value, an expression in x, y, z, t, is "
+      "within 0 (broken) and 1. Where a boundary prescribes it, the boundary "
+      "decides. Unit: 1.");
     prm.add_parameter("Traction",
                       traction_text,
                       "Forces per area on the boundary, 'boundary : component "
-                      ": expression ; ...'; at finite strain dead loads, per "
-                      "undeformed area. Unit: MPa.");
+                      ": expression ; ...' with components x, y, z, all, and "
+                      "normal, along the outward normal of the undeformed "
+                      "body; at finite strain dead loads, per undeformed area. "
+                      "Unit: MPa.");
+    prm.add_parameter("Pressure",
+                      pressure_text,
+                      "Pressures on the boundary, 'boundary : expression ; "
+                      "...', positive where they press on the body: t = -p n. "
+                      "At finite strain they follow it: normal to the deformed "
+                      "boundary, per deformed area, -p cof(F) n per undeformed "
+                      "area (not with plane stress). Unit: MPa.");
     prm.add_parameter("Body force",
                       body_force_text,
                       "Forces per volume, 'component : expression ; ...'; at "
@@ -174,8 +140,8 @@ namespace MixedCracks
       "Unbreakable margin",
       margin,
       "The material within this distance of a boundary or point with "
-      "prescribed displacement cannot break: clamps, bulges, supports. 0: none. "
-      "Unit: mm.",
+      "prescribed displacement, but for symmetry, or of a point with a force "
+      "cannot break: clamps, bulges, supports. 0: none. Unit: mm.",
       Patterns::Double(0.));
     prm.leave_subsection();
   }
@@ -186,7 +152,8 @@ namespace MixedCracks
   std::vector<BoundaryEntry<dim>>
   BoundaryConditions<dim>::displacements() const
   {
-    return read_entries<dim>(displacement_text, true, true, displacement_name);
+    return read_entries<dim>(
+      displacement_text, true, entry_of_phase_field, displacement_name);
   }
 
 
@@ -195,22 +162,42 @@ namespace MixedCracks
   std::vector<PointEntry<dim>>
   BoundaryConditions<dim>::point_displacements() const
   {
-    std::vector<PointEntry<dim>> result;
-    for (const BoundaryEntry<dim> &entry :
-         read_entries<dim>(point_displacement_text, true, false, points_name))
+    return point_entries(
+      read_entries<dim>(point_displacement_text, true, "", points_name),
+      points_name,
+      /*with_sets=*/true);
+  }
+
+
+
+  template <int dim>
+  std::vector<PointEntry<dim>>
+  BoundaryConditions<dim>::point_forces() const
+  {
+    return point_entries(
+      read_entries<dim>(point_force_text, true, "", forces_name), forces_name);
+  }
+
+
+
+  template <int dim>
+  std::vector<PointEntry<dim>>
+  BoundaryConditions<dim>::point_phase_fields() const
+  {
+    std::vector<BoundaryEntry<dim>> entries;
+    for (const std::string &entry : split_list(point_phase_field_text, ';'))
     {
-      const std::vector<double> numbers =
-        parse_numbers(entry.boundary, points_name);
-      if (numbers.size() != dim)
-        throw InputError(points_name + ": found '" + entry.boundary +
-                         "', allowed is a point of " + std::to_string(dim) +
-                         " numbers, as '" + (dim == 2 ? "0, 1" : "0, 1, 2") +
-                         "'.");
-      PointEntry<dim> at{{}, entry.component, entry.expression};
-      std::copy(numbers.begin(), numbers.end(), at.point.begin_raw());
-      result.push_back(at);
+      const std::vector<std::string> parts = split_list(entry, ':');
+      if (parts.size() != 2)
+        throw InputError(phase_fields_name + ": found '" + entry +
+                         "', allowed is 'point : value', several separated by "
+                         "';'.");
+      entries.push_back({parts[0],
+                         dim,
+                         std::make_shared<const Expression>(
+                           parts[1], entry_variables(), phase_fields_name)});
     }
-    return result;
+    return point_entries(entries, phase_fields_name);
   }
 
 
@@ -218,13 +205,15 @@ namespace MixedCracks
   // One function of all components for each boundary, as the assembly goes
   // through boundaries. Components that are not named are 0.
   template <int dim>
-  std::map<std::string, std::shared_ptr<ExpressionFunction<dim>>>
+  typename BoundaryConditions<dim>::LoadsByBoundary
   BoundaryConditions<dim>::tractions(const unsigned int n_components) const
   {
-    std::map<std::string, std::shared_ptr<ExpressionFunction<dim>>> result;
+    LoadsByBoundary result;
     for (const BoundaryEntry<dim> &entry :
-         read_entries<dim>(traction_text, true, false, traction_name))
+         read_entries<dim>(traction_text, true, entry_of_normal, traction_name))
     {
+      if (entry.component == dim)
+        continue;
       auto &function = result[entry.boundary];
       if (!function)
         function = std::make_shared<ExpressionFunction<dim>>(n_components);
@@ -236,11 +225,55 @@ namespace MixedCracks
 
 
   template <int dim>
+  typename BoundaryConditions<dim>::LoadsByBoundary
+  BoundaryConditions<dim>::normal_tractions() const
+  {
+    LoadsByBoundary result;
+    for (const BoundaryEntry<dim> &entry :
+         read_entries<dim>(traction_text, true, entry_of_normal, traction_name))
+      if (entry.component == dim)
+      {
+        auto function = std::make_shared<ExpressionFunction<dim>>(1);
+        function->set(0, entry.expression);
+        result[entry.boundary] = function;
+      }
+    return result;
+  }
+
+
+
+  template <int dim>
+  typename BoundaryConditions<dim>::LoadsByBoundary
+  BoundaryConditions<dim>::pressures() const
+  {
+    LoadsByBoundary result;
+    for (const std::string &entry : split_list(pressure_text, ';'))
+    {
+      const std::vector<std::string> parts = split_list(entry, ':');
+      if (parts.size() != 2)
+        throw InputError(pressure_name + ": found '" + entry +
+                         "', allowed is 'boundary : expression', several "
+                         "separated by ';'.");
+      auto function = std::make_shared<ExpressionFunction<dim>>(1);
+      function->set(0,
+                    std::make_shared<const Expression>(
+                      parts[1], entry_variables(), pressure_name));
+      if (!result.insert({parts[0], function}).second)
+        throw InputError(pressure_name + ": found '" + entry +
+                         "', a second entry for '" + parts[0] +
+                         "'. Allowed is one for each boundary.");
+    }
+    return result;
+  }
+
+
+
+  template <int dim>
   std::shared_ptr<ExpressionFunction<dim>>
   BoundaryConditions<dim>::body_force(const unsigned int n_components) const
   {
     const auto entries =
-      read_entries<dim>(body_force_text, false, false, body_force_name);
+      read_entries<dim>(body_force_text, false, "", body_force_name);
     if (entries.empty())
       return nullptr;
     auto function = std::make_shared<ExpressionFunction<dim>>(n_components);
@@ -253,8 +286,10 @@ namespace MixedCracks
 
   template <int dim>
   void
-  BoundaryConditions<dim>::check(const BoundaryIds                  &boundaries,
-                                 const std::function<std::string()> &hint) const
+  BoundaryConditions<dim>::check(
+    const NamedBoundaries              &boundaries,
+    const std::function<std::string()> &hint,
+    const std::vector<std::string>     &point_sets) const
   {
     std::vector<std::string> names;
     for (const auto &boundary : boundaries)
@@ -272,9 +307,21 @@ namespace MixedCracks
     for (const BoundaryEntry<dim> &entry : displacements())
     {
       require_known(entry.boundary, displacement_name);
-      any_displacement = any_displacement || entry.component < dim;
+      any_displacement = any_displacement || entry.component != dim;
     }
-    const bool any_point = !point_displacements().empty();
+    const auto points    = point_displacements();
+    const bool any_point = !points.empty();
+    for (const PointEntry<dim> &entry : points)
+      if (!entry.set.empty() &&
+          std::find(point_sets.begin(), point_sets.end(), entry.set) ==
+            point_sets.end())
+        throw InputError(points_name + ": found '" + entry.set +
+                         "', allowed is a point of " + std::to_string(dim) +
+                         " numbers, as '" + (dim == 2 ? "0, 1" : "0, 1, 2") +
+                         "', or the name of one of Geometry/Point sets, " +
+                         (point_sets.empty()
+                            ? "of which there are none."
+                            : "which are " + join_names(point_sets) + "."));
     if (!any_displacement && !any_point)
       throw InputError(displacement_name +
                        ": no displacement is prescribed anywhere, here or in "
@@ -283,7 +330,13 @@ namespace MixedCracks
                        join_names(names) + ".");
     for (const auto &traction : tractions(dim))
       require_known(traction.first, traction_name);
+    for (const auto &traction : normal_tractions())
+      require_known(traction.first, traction_name);
+    for (const auto &pressure : pressures())
+      require_known(pressure.first, pressure_name);
     body_force(dim);
+    point_forces();
+    point_phase_fields();
   }
 
 

@@ -13,6 +13,7 @@
 
 #include <input/dimension.h>
 
+#include <problem/geometries/boundary_regions.h>
 #include <problem/geometries/l_shape.h>
 #include <problem/geometries/mesh_file.h>
 #include <problem/geometries/plane_geometry.h>
@@ -173,6 +174,22 @@ namespace MixedCracks
         " In 3-d: " + all_geometries<3>().documentation() +
         " Only the subsection of the chosen one is used.",
       dealii::Patterns::Selection(join_names(names, "|")));
+    prm.add_parameter(
+      "Boundary regions",
+      regions,
+      "Names for parts of the boundary by their position, for every geometry "
+      "and every mesh from a file: 'name : condition ; ...', as in 'grip : x > "
+      "90 && y > 10 ; foot : abs(y) < 1e-6'. The condition is an expression in "
+      "x, y, z (mm; comparisons, && and ||), taken at the centre of each face "
+      "of the coarse mesh, which is the mean of its corners, before Mesh/Global "
+      "refinements: a part cannot be smaller than one of these faces, and a "
+      "face that lies on both sides of a limit goes by its centre. Finer faces "
+      "inherit. A face leaves the side that it was part of, and of several "
+      "regions it belongs to the one that is listed last. Names must be new, "
+      "and are used as those of sides. --check, which builds no large mesh, "
+      "tries the conditions on larger faces.",
+      dealii::Patterns::Anything());
+    points.add_parameters(prm);
     for (const std::string &each : names)
     {
       prm.enter_subsection(subsection_name(each));
@@ -208,6 +225,7 @@ namespace MixedCracks
         "-d only, with Geometry/Dimension = " + std::to_string(dim) +
         "; allowed are " + join_names(all_geometries<dim>().names()) + ".");
     chosen().check();
+    points.check();
   }
 
 
@@ -216,7 +234,34 @@ namespace MixedCracks
   const Geometry<dim> &
   GeometryParameters<dim>::chosen() const
   {
-    return *geometries.at(name);
+    const Geometry<dim> &geometry = *geometries.at(name);
+    if (regions.empty())
+      return geometry;
+    const std::string key = name + " : " + regions;
+    if (!with_regions || key != made_with_regions)
+    {
+      with_regions = std::make_unique<GeometryWithRegions<dim>>(
+        geometry,
+        parse_named_conditions<dim>(regions, "Geometry/Boundary regions"));
+      made_with_regions = key;
+    }
+    return *with_regions;
+  }
+
+
+
+  template <int dim>
+  std::map<dealii::types::boundary_id, std::string>
+  Geometry<dim>::names_of_ids() const
+  {
+    std::map<dealii::types::boundary_id, std::string> result;
+    const NamedBoundaries boundaries = boundary_ids();
+    for (const auto &[name, ids] : boundaries)
+      for (const auto id : ids)
+        if (const auto [known, is_new] = result.emplace(id, name);
+            !is_new && boundaries.at(known->second).size() < ids.size())
+          known->second = name;
+    return result;
   }
 
 

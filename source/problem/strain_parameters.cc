@@ -23,7 +23,7 @@ namespace MixedCracks
   namespace
   {
     bool
-    contains(const std::vector<std::string> &names, const std::string &name)
+    has_name(const std::vector<std::string> &names, const std::string &name)
     {
       return std::find(names.begin(), names.end(), name) != names.end();
     }
@@ -38,9 +38,9 @@ namespace MixedCracks
         choices.push_back({name,
                            small.description(name),
                            true,
-                           contains(finite.names(), name)});
+                           has_name(finite.names(), name)});
       for (const std::string &name : finite.names())
-        if (!contains(small.names(), name))
+        if (!has_name(small.names(), name))
           choices.push_back({name, finite.description(name), false, true});
       return choices;
     }
@@ -63,7 +63,7 @@ namespace MixedCracks
     {
       const std::vector<std::string> names =
         names_for(choices, strains.is_finite());
-      require(contains(names, found),
+      require(has_name(names, found),
               entry + ": found '" + found +
                 "' with Model/Strains = " + strains.strains_name +
                 ". Allowed there: " + join_names(names) + ".");
@@ -181,7 +181,7 @@ namespace MixedCracks
     for (const std::string &name : all_hyperelastic_laws().names())
       if (all_hyperelastic_laws().make(name, {})->is_sum_over_stretches())
         sums.push_back(name);
-    require(contains(sums, law),
+    require(has_name(sums, law),
             "Model/Energy split: found 'principal stretches' with "
             "Model/Hyperelastic law = " +
               law +

@@ -36,9 +36,15 @@ namespace MixedCracks
              {parameters.model.mixed(), parameters.model.degree()})
     , constraints(
         fields,
-        prescribed_components(parameters, n_elastic_components(parameters)),
-        prescribed_points(parameters, n_elastic_components(parameters)))
-  {}
+        prescribed_components(parameters, n_elastic_components(parameters)))
+  {
+    constraints.take_points_from([this]() {
+      return prescribed_points(this->parameters,
+                               n_elastic_components(this->parameters),
+                               triangulation,
+                               not_built.has_value());
+    });
+  }
 
 
 

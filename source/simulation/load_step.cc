@@ -87,6 +87,7 @@ namespace MixedCracks
              callbacks,
              body.communicator(),
              log)
+    , phase_field_points(body.parameters.boundary_conditions)
   {}
 
 
@@ -100,6 +101,7 @@ namespace MixedCracks
       throw SolverError(analysis.reason);
     phase_field.reinit();
     fixed.frozen = unbreakable_nodes(body.parameters, body.fields);
+    phase_field_points.reinit(body.fields, body.constraints);
   }
 
 
@@ -113,6 +115,7 @@ namespace MixedCracks
   {
     fixed.prescribed =
       prescribed_phase_field(body.parameters, body.fields, trial.time);
+    phase_field_points.add(trial.time, fixed.prescribed);
     return solver.solve(accepted, fixed, bound, so_far, trial);
   }
 

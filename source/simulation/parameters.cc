@@ -29,6 +29,7 @@ namespace MixedCracks
     output.add_parameters(prm);
     crack_opening.add_parameters(prm);
     point_displacements.add_parameters(prm);
+    watched_boundaries.add_parameters(prm);
     events.add_parameters(prm);
   }
 
@@ -71,14 +72,23 @@ namespace MixedCracks
     model.check(dim);
     material.check();
     const auto boundaries = geometry.chosen().boundary_ids();
-    boundary_conditions.check(boundaries, [this]() {
-      return geometry.chosen().hint_about_boundaries();
-    });
+    boundary_conditions.check(
+      boundaries,
+      [this]() { return geometry.chosen().hint_about_boundaries(); },
+      geometry.point_sets().names());
     fluid.check();
     if (model.strain.is_finite() && fluid.pressure())
       throw InputError("Fluid/Pressure: found '" + fluid.pressure_text +
                        "' with Model/Strains = finite. Allowed: 0, which is no "
                        "fluid; Boundary conditions/Traction is a dead load.");
+    if (dim == 2 && model.strain.is_finite() &&
+        model.kinematics == "plane stress" &&
+        !boundary_conditions.pressures().empty())
+      throw InputError(
+        "Boundary conditions/Pressure: found with Model/Strains = finite and "
+        "Model/Kinematics = plane stress, where the area it acts on changes "
+        "with the thickness. Allowed are plane strain, or the component "
+        "'normal' of Boundary conditions/Traction, a dead load.");
     initial_cracks.check();
     load.check();
     if (dim == 3 && load.stop_when_separated)
@@ -90,11 +100,12 @@ namespace MixedCracks
     output.check();
     crack_opening.check();
     point_displacements.check();
+    watched_boundaries.boundaries(boundaries);
     events.check(dim);
 
     std::vector<std::string> prescribed;
     for (const auto &entry : boundary_conditions.displacements())
-      if (entry.component < dim &&
+      if (entry.component != dim &&
           std::find(prescribed.begin(), prescribed.end(), entry.boundary) ==
             prescribed.end())
         prescribed.push_back(entry.boundary);
@@ -104,7 +115,7 @@ namespace MixedCracks
                        "', but displacement is prescribed at points only. "
                        "Allowed is nothing: the force is then the reaction at "
                        "the points that move.");
-    if (prescribed.empty())
+    if (force.empty())
       return;
     if (std::find(prescribed.begin(), prescribed.end(), force) ==
         prescribed.end())

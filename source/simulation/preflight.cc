@@ -20,6 +20,7 @@
 #include <base/names.h>
 #include <base/version.h>
 
+#include <discretization/mesh_quality.h>
 #include <output/in_brackets.h>
 
 #include <simulation/case_checks.h>
@@ -164,6 +165,7 @@ namespace MixedCracks
                     mesh.n_elastic + mesh.n_phase_field,
                     mesh.n_elastic,
                     mesh.n_phase_field));
+    report_mesh_of_file();
     const double cell_size = body.cell_size_at_cracks();
     log.line(format("finest cells h = %.4g mm; length scale l = %.4g mm, "
                     "l/h = %.3g; kappa = %.3g",
@@ -171,6 +173,28 @@ namespace MixedCracks
                     body.length_scale(),
                     printable(body.length_scale() / cell_size),
                     body.material->description().residual_stiffness));
+  }
+
+
+
+  // Built-in meshes are known to be good
+  template <int dim>
+  void
+  Preflight<dim>::report_mesh_of_file() const
+  {
+    const GeometryParameters<dim> &geometry = body.parameters.geometry;
+    if (geometry.name_of_chosen() != "mesh file")
+      return;
+    const MeshQuality<dim> quality = quality_of_coarse_mesh(body.triangulation);
+    const std::string      remarks = geometry.chosen().about_mesh();
+    log.line(format("mesh of the file: %u cells; smallest scaled Jacobian "
+                    "%.3g, at %s; %u cells below %g%s",
+                    quality.n_cells,
+                    quality.smallest,
+                    in_brackets(quality.place).c_str(),
+                    quality.n_distorted,
+                    quality.distorted,
+                    remarks.empty() ? "" : ("; " + remarks).c_str()));
   }
 
 

@@ -20,7 +20,13 @@ namespace MixedCracks
                                  parameters.events,
                                  parameters.thickness_factor(),
                                  {}};
-    options.finite_strain      = parameters.model.strain.is_finite();
+    options.finite_strain = parameters.model.strain.is_finite();
+    options.watched       = parameters.watched_boundaries.boundaries(
+      parameters.geometry.chosen().boundary_ids());
+    for (const auto &entry :
+         parameters.boundary_conditions.point_displacements())
+      options.held_points.push_back(
+        {entry.point, entry.component, nullptr, true, entry.set});
     const std::string boundary = parameters.force_boundary();
     if (!boundary.empty())
       options.force_boundary =

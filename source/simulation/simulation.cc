@@ -30,7 +30,7 @@ namespace MixedCracks
     , stop(communicator, parameters.output.wall_time_limit, log)
     , body(parameters, communicator)
     , adaptation(body)
-    , crack_observer(body.fields, parameters.geometry.chosen().boundary_ids())
+    , crack_observer(body.fields, parameters.geometry.chosen().names_of_ids())
     , load_control(parameters.load)
     , before_the_run(body, log)
     , directory(parameters.output, effective_parameters, communicator, log)

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // How large loads are, roughly, without a mesh: expressions are evaluated at
 // the corners and the middle of the box around the body. Displacements become
-// strains by the largest extent of the body. Body forces are not looked at
+// strains by the largest extent of the body, forces at points stresses by the
+// smallest section of the box. Body forces are not looked at
 // (is_known = false): what stress they make depends on the shape. Nor is an
 // expression that has a value at none of these places.
 
@@ -13,6 +14,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <optional>
 
 namespace MixedCracks
@@ -53,16 +55,29 @@ namespace MixedCracks
       return largest;
     }
 
+    // Of cross sections of the box the smallest: mm^(dim - 1).
+    template <int dim>
+    double
+    least_section(const BoundingBox<dim> &body)
+    {
+      double area = std::numeric_limits<double>::infinity();
+      for (unsigned int d = 0; d < dim; ++d)
+        area = std::min(area, body.volume() / body.side_length(d));
+      return area;
+    }
+
     template <int dim>
     std::optional<double>
-    size_of(std::shared_ptr<const Expression> expression,
-            const std::vector<Point<dim>>    &places,
-            const double                      time)
+    size_of(const unsigned int                   component,
+            std::shared_ptr<const Expression>    expression,
+            std::shared_ptr<const Rotation<dim>> rotation,
+            const std::vector<Point<dim>>       &places,
+            const double                         time)
     {
-      ExpressionFunction<dim> value(1);
-      value.set(0, std::move(expression));
+      ExpressionFunction<dim> value(dim);
+      value.set(component, std::move(expression), std::move(rotation));
       value.set_time(time);
-      return size_at<dim>(value, places, 0);
+      return size_at<dim>(value, places, component);
     }
   } // namespace
 
@@ -88,15 +103,38 @@ namespace MixedCracks
       extent = std::max(extent, body.side_length(d));
     for (const auto &entry : given.displacements())
       if (entry.component < dim)
-        add(displacement, size_of<dim>(entry.expression, places, time));
+        add(displacement,
+            size_of<dim>(
+              entry.component, entry.expression, entry.rotation, places, time));
     for (const auto &entry : given.point_displacements())
-      add(displacement, size_of<dim>(entry.expression, {entry.point}, time));
+      add(displacement,
+          size_of<dim>(entry.component,
+                       entry.expression,
+                       nullptr,
+                       entry.set.empty() ? std::vector<Point<dim>>{entry.point}
+                                         : places,
+                       time));
     result.strain = displacement / extent;
     for (const auto &[boundary, traction] : given.tractions(dim))
     {
       traction->set_time(time);
       for (unsigned int d = 0; d < dim; ++d)
         add(result.traction, size_at<dim>(*traction, places, d));
+    }
+    for (const auto &loads : {given.normal_tractions(), given.pressures()})
+      for (const auto &[boundary, load] : loads)
+      {
+        load->set_time(time);
+        add(result.traction, size_at<dim>(*load, places, 0));
+      }
+    const double area = parameters.thickness_factor() * least_section(body);
+    for (const auto &entry : given.point_forces())
+    {
+      double stress = 0.;
+      add(stress,
+          size_of<dim>(
+            entry.component, entry.expression, nullptr, {entry.point}, time));
+      result.points = std::max(result.points, stress / area);
     }
     if (const auto pressure = parameters.fluid.pressure())
     {
@@ -131,6 +169,9 @@ namespace MixedCracks
     };
     add(load.strain, format("strains of about %.2g", printable(load.strain)));
     add(load.traction, format("tractions of %.3g MPa", load.traction));
+    add(load.points,
+        format("forces at points of %.3g MPa on the smallest section",
+               load.points));
     add(load.fluid, format("a fluid pressure of %.3g MPa", load.fluid));
     return text;
   }

@@ -8,7 +8,9 @@
 // prescribed displacement and L the largest extent of the body, a load is
 // measured by
 //
-//   max( (U/L)/eps_c, tau/sigma_c ),     a fluid by  p_f/sigma_c.
+//   max( (U/L)/eps_c, tau/sigma_c, P/(A sigma_c) ),  a fluid by  p_f/sigma_c,
+//
+// P a force at a point and A the smallest section of the box.
 //
 // Above 1 after one onset step, or 100 until the end time (a fluid: 3), numbers
 // or units are wrong. Below 1e-3 nothing breaks. Bounds are far from what a
@@ -81,7 +83,8 @@ namespace MixedCracks
                   const double    stress,
                   const double    strain)
     {
-      return std::max(load.strain / strain, load.traction / stress);
+      return std::max(
+        {load.strain / strain, load.traction / stress, load.points / stress});
     }
 
     double
@@ -212,6 +215,7 @@ namespace MixedCracks
       scales.largest.strain   = std::max(scales.largest.strain, now.strain);
       scales.largest.traction = std::max(scales.largest.traction, now.traction);
       scales.largest.fluid    = std::max(scales.largest.fluid, now.fluid);
+      scales.largest.points   = std::max(scales.largest.points, now.points);
       scales.largest.is_known = scales.largest.is_known && now.is_known;
     }
     return scales;

@@ -12,8 +12,10 @@
 
 #include <simulation/simulation_setup.h>
 
+#include <array>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 namespace MixedCracks
 {
@@ -43,16 +45,59 @@ namespace MixedCracks
     template <int dim>
     std::vector<FlatPiece<dim>>
     pieces_of_boundary(const Triangulation<dim> &triangulation,
-                       const types::boundary_id  id)
+                       const BoundaryIds        &ids)
     {
       std::vector<FlatPiece<dim>> pieces;
       for (const auto &cell : triangulation.cell_iterators_on_level(0))
         for (const unsigned int f : cell->face_indices())
           if (cell->face(f)->at_boundary() &&
-              cell->face(f)->boundary_id() == id)
+              ids.contains(cell->face(f)->boundary_id()))
             for (const unsigned int v : cell->face(f)->vertex_indices())
               pieces.push_back(part_of_face<dim>(cell->face(f), v));
       return pieces;
+    }
+
+
+
+    // Loads on faces with two names, both of which have one.
+    template <int dim>
+    class SumOfFunctions : public Function<dim>
+    {
+    public:
+      SumOfFunctions(std::shared_ptr<Function<dim>> one,
+                     std::shared_ptr<Function<dim>> other)
+        : Function<dim>(one->n_components)
+        , summands{{std::move(one), std::move(other)}}
+      {}
+
+      double
+      value(const Point<dim>  &point,
+            const unsigned int component) const override
+      {
+        return summands[0]->value(point, component) +
+               summands[1]->value(point, component);
+      }
+
+      void
+      set_time(const double time) override
+      {
+        Function<dim>::set_time(time);
+        for (const auto &summand : summands)
+          summand->set_time(time);
+      }
+
+    private:
+      std::array<std::shared_ptr<Function<dim>>, 2> summands;
+    };
+
+
+
+    template <int dim>
+    void
+    add_load(std::shared_ptr<Function<dim>>       &load,
+             const std::shared_ptr<Function<dim>> &more)
+    {
+      load = load ? std::make_shared<SumOfFunctions<dim>>(load, more) : more;
     }
 
 
@@ -168,11 +213,18 @@ namespace MixedCracks
     const auto ids = parameters.geometry.chosen().boundary_ids();
     std::vector<PrescribedComponent<dim>> result;
     for (const auto &entry : parameters.boundary_conditions.displacements())
-      if (entry.component < dim)
+      if (entry.component != dim)
       {
+        const bool is_symmetry =
+          entry.component == BoundaryEntry<dim>::symmetry;
         auto value = std::make_shared<ExpressionFunction<dim>>(n_components);
-        value->set(entry.component, entry.expression);
-        result.push_back({ids.at(entry.boundary), entry.component, value});
+        if (!is_symmetry) // else 0
+          value->set(entry.component, entry.expression, entry.rotation);
+        result.push_back(
+          {ids.at(entry.boundary),
+           is_symmetry ? PrescribedComponent<dim>::normal : entry.component,
+           value,
+           entry.boundary});
       }
     return result;
   }
@@ -180,14 +232,43 @@ namespace MixedCracks
 
 
   template <int dim>
+  std::vector<PointEntry<dim>>
+  placed_points(const Parameters<dim>    &parameters,
+                const Triangulation<dim> &triangulation,
+                const bool                stands_for_finer)
+  {
+    const PointSets<dim>        &sets = parameters.geometry.point_sets();
+    std::vector<PointEntry<dim>> result;
+    for (PointEntry<dim> entry :
+         parameters.boundary_conditions.point_displacements())
+    {
+      if (entry.set.empty())
+        result.push_back(entry);
+      else
+        for (const Point<dim> &point :
+             stands_for_finer ? sets.points_near(entry.set, triangulation)
+                              : sets.points_of(entry.set, triangulation))
+        {
+          entry.point = point;
+          result.push_back(entry);
+        }
+    }
+    return result;
+  }
+
+
+
+  template <int dim>
   std::vector<PrescribedPoint<dim>>
-  prescribed_points(const Parameters<dim> &parameters,
-                    const unsigned int     n_components)
+  prescribed_points(const Parameters<dim>    &parameters,
+                    const unsigned int        n_components,
+                    const Triangulation<dim> &triangulation,
+                    const bool                stands_for_finer)
   {
     constexpr unsigned int            n_samples = 16;
     std::vector<PrescribedPoint<dim>> result;
     for (const auto &entry :
-         parameters.boundary_conditions.point_displacements())
+         placed_points(parameters, triangulation, stands_for_finer))
     {
       auto value = std::make_shared<ExpressionFunction<dim>>(n_components);
       value->set(entry.component, entry.expression);
@@ -198,7 +279,7 @@ namespace MixedCracks
         value->set_time(parameters.load.end_time * i / n_samples);
         moves = is_not_zero(*value, entry.point, entry.component);
       }
-      result.push_back({entry.point, entry.component, value, moves});
+      result.push_back({entry.point, entry.component, value, moves, entry.set});
     }
     return result;
   }
@@ -214,7 +295,22 @@ namespace MixedCracks
     Loads<dim>  loads;
     loads.body_force = conditions.body_force(n_components);
     for (const auto &[boundary, traction] : conditions.tractions(n_components))
-      loads.tractions[ids.at(boundary)] = traction;
+      for (const types::boundary_id id : ids.at(boundary))
+        add_load<dim>(loads.tractions[id], traction);
+    for (const auto &[boundary, traction] : conditions.normal_tractions())
+      for (const types::boundary_id id : ids.at(boundary))
+        add_load<dim>(loads.normal_tractions[id], traction);
+    for (const auto &[boundary, pressure] : conditions.pressures())
+      for (const types::boundary_id id : ids.at(boundary))
+        add_load<dim>(loads.pressures[id], pressure);
+    std::vector<PointForce<dim>> forces;
+    for (const auto &entry : conditions.point_forces())
+    {
+      auto value = std::make_shared<ExpressionFunction<dim>>(n_components);
+      value->set(entry.component, entry.expression);
+      forces.push_back({entry.point, entry.component, value});
+    }
+    loads.at_points = {forces, parameters.thickness_factor()};
     return loads;
   }
 
@@ -241,8 +337,10 @@ namespace MixedCracks
   template double finest_cell_size(const Triangulation<dim> &, MPI_Comm);      \
   template std::vector<PrescribedComponent<dim>> prescribed_components(        \
     const Parameters<dim> &, unsigned int);                                    \
+  template std::vector<PointEntry<dim>> placed_points(                         \
+    const Parameters<dim> &, const Triangulation<dim> &, bool);                \
   template std::vector<PrescribedPoint<dim>> prescribed_points(                \
-    const Parameters<dim> &, unsigned int);                                    \
+    const Parameters<dim> &, unsigned int, const Triangulation<dim> &, bool);  \
   template Loads<dim> make_loads(const Parameters<dim> &, unsigned int);       \
   template std::shared_ptr<FluidAssembler<dim>> make_fluid(                    \
     const Parameters<dim> &, const Fields<dim> &);

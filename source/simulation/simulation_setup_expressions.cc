@@ -14,6 +14,7 @@
 #include <deal.II/fe/fe_nothing.h>
 #include <deal.II/fe/fe_values.h>
 
+#include <simulation/phase_field_points.h>
 #include <simulation/simulation_setup.h>
 
 namespace MixedCracks
@@ -65,16 +66,17 @@ namespace MixedCracks
         no_shapes,
         QGauss<dim - 1>(fields.elastic.get_fe().degree + 1),
         update_quadrature_points);
-      for (const auto &entry : loads.tractions)
-        entry.second->set_time(0.);
-      const auto try_on = [&](const auto &cell, const unsigned int face) {
-        const auto traction =
-          loads.tractions.find(cell->face(face)->boundary_id());
-        if (traction == loads.tractions.end())
+      const auto try_on = [&](const auto        &functions,
+                              const unsigned int n_components,
+                              const auto        &cell,
+                              const unsigned int face) {
+        const auto load = functions.find(cell->face(face)->boundary_id());
+        if (load == functions.end())
           return;
+        load->second->set_time(0.);
         face_values.reinit(cell, face);
         for (const Point<dim> &point : face_values.get_quadrature_points())
-          try_at(*traction->second, point, dim);
+          try_at(*load->second, point, n_components);
       };
       together(fields.communicator(), [&]() {
         for (const auto &cell :
@@ -82,7 +84,11 @@ namespace MixedCracks
           if (cell->is_locally_owned())
             for (const unsigned int face : cell->face_indices())
               if (cell->face(face)->at_boundary())
-                try_on(cell, face);
+              {
+                try_on(loads.tractions, dim, cell, face);
+                try_on(loads.normal_tractions, 1, cell, face);
+                try_on(loads.pressures, 1, cell, face);
+              }
       });
     }
   } // namespace
@@ -97,9 +103,14 @@ namespace MixedCracks
   {
     LinearAlgebra::Vector values = fields.owned_vector(fields.elastic_dofs);
     constraints.apply_prescribed(0., values);
-    prescribed_phase_field(parameters, fields, 0.);
-    const Loads<dim> loads = make_loads(parameters, dim);
-    const auto       fluid = parameters.fluid.pressure();
+    auto phase_field = prescribed_phase_field(parameters, fields, 0.);
+    PhaseFieldPoints<dim> phase_field_points(parameters.boundary_conditions);
+    phase_field_points.reinit(fields, constraints);
+    phase_field_points.add(0., phase_field);
+    Loads<dim> loads = make_loads(parameters, dim);
+    loads.at_points.reinit(fields, constraints.elastic_hanging_nodes());
+    loads.at_points.add(0., values);
+    const auto fluid = parameters.fluid.pressure();
     try_in_cells(loads, fluid.get(), fields);
     try_on_boundaries(loads, fields);
   }

@@ -13,7 +13,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <set>
 #include <sstream>
 
 namespace MixedCracks
@@ -199,24 +198,30 @@ namespace MixedCracks
       return frozen;
     // the coarse mesh is known to every rank, and its boundary with
     // prescribed displacement consists of flat faces
-    const auto ids = parameters.geometry.chosen().boundary_ids();
-    std::set<types::boundary_id> clamped;
+    const auto  ids = parameters.geometry.chosen().boundary_ids();
+    BoundaryIds clamped;
     for (const auto &entry : parameters.boundary_conditions.displacements())
       if (entry.component < dim)
-        clamped.insert(ids.at(entry.boundary));
+      {
+        const BoundaryIds &held = ids.at(entry.boundary);
+        clamped.insert(held.begin(), held.end());
+      }
     std::vector<FlatPiece<dim>> faces;
     for (const auto &cell :
          fields.phase_field.get_triangulation().cell_iterators_on_level(0))
       for (const unsigned int face : cell->face_indices())
         if (cell->face(face)->at_boundary() &&
-            clamped.count(cell->face(face)->boundary_id()) > 0)
+            clamped.contains(cell->face(face)->boundary_id()))
         {
           FlatPiece<dim> piece;
           for (const unsigned int v : cell->face(face)->vertex_indices())
             piece.corners[v] = cell->face(face)->vertex(v);
           faces.push_back(piece);
         }
-    const auto points = parameters.boundary_conditions.point_displacements();
+    auto points =
+      placed_points(parameters, fields.phase_field.get_triangulation());
+    const auto forces = parameters.boundary_conditions.point_forces();
+    points.insert(points.end(), forces.begin(), forces.end());
     for_each_node(fields,
                   [&](const types::global_dof_index dof,
                       const Point<dim>             &position,
@@ -252,11 +257,9 @@ namespace MixedCracks
           ExpressionFunction<dim> value(1);
           value.set(0, entry.expression);
           value.set_time(time);
-          VectorTools::interpolate_boundary_values(fields.mapping,
-                                                   fields.phase_field,
-                                                   ids.at(entry.boundary),
-                                                   value,
-                                                   all);
+          for (const types::boundary_id id : ids.at(entry.boundary))
+            VectorTools::interpolate_boundary_values(
+              fields.mapping, fields.phase_field, id, value, all);
         }
     });
     for (const auto &[dof, value] : all)

@@ -116,7 +116,12 @@ namespace MixedCracks
     , run_log(run_log)
     , timer(timer)
     , log(log)
-  {}
+  {
+    recorder.take_loads_from(
+      [this](const types::boundary_id boundary, const State &state) {
+        return solvers.elastic.loads_on_boundary(boundary, state);
+      });
+  }
 
 
 

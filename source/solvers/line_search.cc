@@ -30,8 +30,8 @@ namespace MixedCracks
 {
   namespace
   {
-    constexpr double armijo   = 1e-4;
-    constexpr double rounding = 1e-12; // of the potential
+    constexpr double armijo                = 1e-4;
+    constexpr double rounding_of_potential = 1e-12; // of the potential
 
     // What a fall of the potential excuses where the solution is no minimum of
     // it: a residual that grows by more is that of another place.
@@ -128,7 +128,8 @@ namespace MixedCracks
         const bool may_count_residual =
           outcome.factor > 0. &&
           (!problem.is_minimum ||
-           now <= start + rounding * std::max(std::abs(start), std::abs(now)));
+           now <= start + rounding_of_potential *
+                            std::max(std::abs(start), std::abs(now)));
         const bool is_near =
           problem.is_minimum || outcome.size.relative_to(before).largest() <=
                                   largest_growth * before.largest();

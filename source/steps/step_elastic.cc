@@ -39,6 +39,9 @@ namespace MixedCracks
     , stop(std::move(stop))
     , auxiliaries(fields, constraints)
     , potential(fields, constraints, assembler)
+    , follower(fields,
+               assembler.is_finite() ? this->loads.pressures
+                                     : BoundaryFunctions<dim>())
   {}
 
 
@@ -49,6 +52,7 @@ namespace MixedCracks
   {
     TimerOutput::Scope scope(timer, "setup");
     assembler.reinit();
+    loads.at_points.reinit(fields, constraints.elastic_hanging_nodes());
     if (loads.fluid)
       loads.fluid->reinit();
     const DofSets &dofs = fields.elastic_dofs;
@@ -96,6 +100,7 @@ namespace MixedCracks
     system.matrix = &matrix;
     // at finite strain it is symmetric but need not be positive definite
     const bool is_symmetric = assembler.elastic_matrix_is_symmetric() &&
+                              !follower.any() &&
                               (solver->is_direct() || !assembler.is_finite());
     system.symmetry =
       is_symmetric ? MatrixSymmetry::symmetric : MatrixSymmetry::none;
@@ -155,7 +160,8 @@ namespace MixedCracks
 
 
 
-  // F(t): body force and tractions, N/mm at the nodes
+  // F(t): body force, tractions, forces at points and, at small strain,
+  // pressures; N/mm at the nodes
   template <int dim>
   Vector
   ElasticStep<dim>::dead_loads(const double time) const
@@ -175,6 +181,17 @@ namespace MixedCracks
                               tractions,
                               constraints.elastic_hanging_nodes(),
                               forces);
+    const auto add_normal = [&](const BoundaryFunctions<dim> &functions,
+                                const double                  sign) {
+      for (const auto &entry : functions)
+        entry.second->set_time(time);
+      add_normal_forces(
+        fields, functions, sign, constraints.elastic_hanging_nodes(), forces);
+    };
+    add_normal(loads.normal_tractions, 1.);
+    if (!follower.any())
+      add_normal(loads.pressures, -1.);
+    loads.at_points.add(time, forces);
     return forces;
   }
 
@@ -210,6 +227,7 @@ namespace MixedCracks
   ElasticStep<dim>::update_reaction(State &state)
   {
     external = external_forces(state.time, state.lagged_phase_field);
+    set_pressures(state.time, state.time, 1.);
     evaluate_residual(state);
     constraints.keep_prescribed(full_residual);
     state.reaction.reinit(fields.elastic_dofs.owned,
@@ -222,11 +240,11 @@ namespace MixedCracks
 
   template <int dim>
   double
-  ElasticStep<dim>::work_of_loads(const State &state) const
+  ElasticStep<dim>::work_of_loads(const State &state)
   {
     Vector displacement = fields.owned_vector(fields.elastic_dofs);
     displacement        = state.elastic;
-    return dead_loads(state.time) * displacement;
+    return loads_in(state) * displacement;
   }
 
 
@@ -237,18 +255,19 @@ namespace MixedCracks
   //
   // exact where both are linear in the step, as at small strain while nothing
   // breaks. r is the residual before the supports are taken out: 0 at free
-  // nodes, what a support gives at the others.
+  // nodes, what a support gives at the others. F of a pressure that follows the
+  // boundary is that of the displacements, too.
   template <int dim>
   double
-  ElasticStep<dim>::external_work(const State &before, const State &after) const
+  ElasticStep<dim>::external_work(const State &before, const State &after)
   {
     Vector increment = fields.owned_vector(fields.elastic_dofs);
     Vector old       = increment;
     increment        = after.elastic;
     old              = before.elastic;
     increment.add(-1., old);
-    Vector forces = dead_loads(before.time);
-    forces.add(1., dead_loads(after.time));
+    Vector forces = loads_in(before);
+    forces.add(1., loads_in(after));
     Vector reaction(increment);
     reaction = before.reaction;
     forces.add(1., reaction);

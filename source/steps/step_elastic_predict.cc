@@ -13,7 +13,9 @@
 //   x <- x + s (d + e),       s the first of 1, 1/2, 1/4 ... for which
 //                             min det F > 0.02 (or half of what it was),
 //
-// A e with the columns of prescribed dofs (Assembler::tangent_times). If s < 1,
+// A e with the columns of prescribed dofs (Assembler::tangent_times); of a
+// pressure that follows the boundary dF is that at u, and A has its part. If
+// s < 1,
 // Newton's method finds the equilibrium for F + s dF and u_D + s e, and the
 // rest follows in the same way. The way is straight in (F, u_D), whatever their
 // history within the step.
@@ -165,6 +167,8 @@ namespace MixedCracks
       TimerOutput::Scope scope(timer, "assembly");
       assembler.tangent_times(
         along, constraints.elastic_hanging_nodes(), image);
+      follower.add_tangent_times(
+        along, constraints.elastic_hanging_nodes(), image);
     }
     residual.add(1., image, -1., change);
     constraints.drop_prescribed(residual);
@@ -260,10 +264,12 @@ namespace MixedCracks
     }
     external = external_forces(accepted.time, trial.lagged_phase_field);
     const Vector target = external_forces(trial.time, trial.lagged_phase_field);
+    set_pressures(accepted.time, trial.time, 0.);
     for (unsigned int i = 0; i < most_increments; ++i)
     {
       Vector change(target);
       change.add(-1., external);
+      change.add(1., pressures_to_come(trial.elastic));
       const Vector prescribed = prescribed_increment(trial);
       outcome.converged =
         change.linfty_norm() == 0. && prescribed.linfty_norm() == 0.;
@@ -274,7 +280,10 @@ namespace MixedCracks
       outcome.converged = fraction == 1.;
       if (outcome.converged || fraction == 0.)
         return outcome;
-      external.add(fraction, change);
+      Vector dead(target);
+      dead.add(-1., external);
+      external.add(fraction, dead);
+      follower.advance_level(fraction);
       if (!equilibrate_on_the_way(trial, options, outcome))
         return outcome;
     }

@@ -94,7 +94,8 @@ namespace MixedCracks
                                             constraints.elastic_hanging_nodes(),
                                             full_residual);
     full_residual.add(-1., external);
-    residual = full_residual;
+    const double pressures = subtract_pressures(trial.elastic);
+    residual               = full_residual;
     constraints.drop_prescribed(residual);
     crosses_regimes |= assessment.regime_changes > 0.;
 
@@ -105,7 +106,7 @@ namespace MixedCracks
       squares[pressure_dofs[i] ? 1 : 0] += values[i] * values[i];
     Utilities::MPI::sum(squares, fields.communicator(), squares);
     const double displacement_scale =
-      std::max(assessment.displacement_scale, external.l2_norm());
+      std::max({assessment.displacement_scale, external.l2_norm(), pressures});
     ask_to_stop("assembly of the residual");
     return {relative(std::sqrt(squares[0]), displacement_scale),
             relative(std::sqrt(squares[1]), assessment.pressure_scale),
@@ -139,6 +140,7 @@ namespace MixedCracks
     {
       TimerOutput::Scope scope(timer, "assembly");
       assembler.elastic_matrix(constraints.elastic_corrections(), matrix);
+      follower.add_tangent(constraints.elastic_corrections(), matrix);
     }
     if (ask_to_stop("assembly of the matrix"))
       return {false, 0, asked_to_stop};
@@ -162,6 +164,7 @@ namespace MixedCracks
     TimerOutput::Scope scope(timer, "solve");
     ++count.solves;
     crosses_regimes = false;
+    search_begins   = true;
     residual *= -1.;
     const unsigned int  before = solver->n_setups();
     const LinearOutcome outcome =
@@ -196,14 +199,15 @@ namespace MixedCracks
     if (!assembler.is_finite())
       return solve_newton(problem, options);
     guard(problem, trial);
-    if (!fields.layout.mixed)
+    if (!fields.layout.mixed && !follower.any())
       minimize(problem, trial);
     NewtonOutcome outcome = solve_newton(problem, options);
     // no iterations: turned inside out from the start
     const bool has_stalled =
       outcome.iterations > 0 && (outcome.iterations < options.max_iterations ||
                                  outcome.iterations >= many_iterations);
-    if (outcome.converged || !has_stalled || !fields.layout.mixed || is_stopped)
+    if (outcome.converged || !has_stalled || !fields.layout.mixed ||
+        follower.any() || is_stopped)
       return outcome;
     const NewtonOutcome first = outcome;
     minimize(problem, trial);
@@ -215,7 +219,10 @@ namespace MixedCracks
 
 
 
-  // Pi(u) - F . u with the p that belongs to u, whatever that of the iterate.
+  // Pi(u) - F . u with the p that belongs to u, whatever that of the iterate. A
+  // pressure that follows the boundary has no potential: its forces are those
+  // where the search begins, with which the slope is the residual all the same,
+  // and there is nothing to be minimised.
   template <int dim>
   void
   ElasticStep<dim>::guard(NewtonProblem &problem, const State &trial)
@@ -224,14 +231,14 @@ namespace MixedCracks
     problem.potential     = [&]() {
       TimerOutput::Scope scope(timer, "assembly");
       return potential.value(trial.elastic, trial.lagged_phase_field) -
-             external * iterate;
+             work_along_search(trial.elastic, iterate);
     };
     problem.slope = [&]() {
       TimerOutput::Scope scope(timer, "assembly");
       Vector             along = fields.ghosted_vector(fields.elastic_dofs);
       along                    = correction;
       return potential.slope(along, trial.lagged_phase_field) -
-             external * correction;
+             work_along_search(trial.elastic, correction);
     };
   }
 
@@ -305,9 +312,10 @@ namespace MixedCracks
   NewtonOutcome
   ElasticStep<dim>::solve(State &trial, const NewtonOptions &options)
   {
-    external           = external_forces(trial.time, trial.lagged_phase_field);
-    const Vector start = trial.elastic;
-    is_stopped         = false;
+    external = external_forces(trial.time, trial.lagged_phase_field);
+    set_pressures(trial.time, trial.time, 1.);
+    const Vector start    = trial.elastic;
+    is_stopped            = false;
     NewtonOutcome outcome = solve_once(trial, options);
     // after a line search that was cut short the regimes are those of the
     // matrix again, though full steps go from one to the other

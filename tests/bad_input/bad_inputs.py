@@ -50,6 +50,9 @@ end
 
 STRIP = "Geometry/Punctured strip/"
 FINITE = "must be finite"
+DISPLACEMENT_POINTS = "Boundary conditions/Displacement at points"
+FORCES = "Boundary conditions/Force at points"
+PHASE_FIELDS = "Boundary conditions/Phase field at points"
 
 
 def entry(name, value, *says, **more):
@@ -75,6 +78,14 @@ def line(name, change, *says):
 
 def conditions(text, *says, **more):
     return entry("Boundary conditions/Displacement", text, *says, **more)
+
+
+def table(name, content, *says, status=4, **more):
+    """A bad file of loads over time."""
+    return dict(more, name="table: " + name, status=status, says=(
+        "Boundary conditions/Displacement", "load.csv") + says,
+        set=['Boundary conditions/Displacement=top : all : table("load.csv") ; bottom : y : 0'],
+        files={} if content is None else {"load.csv": content})
 
 
 def usage(name, arguments, *says, **more):
@@ -322,7 +333,14 @@ GEOMETRY = [
          says=("Geometry/Mesh file/File name", "/dev/zero", "regular file")),
     mesh("empty", b"", "empty"),
     mesh("garbage", bytes(range(256)) * 9, "binary"),
-    mesh("triangles", TRIANGLES, "quadrilateral|triangle"),
+    mesh("triangles", TRIANGLES, "triangles", "Geometry/Mesh file/Cut simplices = true"),
+    value("Geometry/Mesh file/Cut simplices", "perhaps", "'perhaps'"),
+    mesh("STL", b"solid part\nfacet normal 0 0 1\n", "an STL file"),
+    mesh("STEP", b"ISO-10303-21;\nHEADER;\n", "a STEP file"),
+    mesh("binary Gmsh file, cut off",
+         b"$MeshFormat\n4.1 1 8\n\x01\0\0\0\n$EndMeshFormat\n$Nodes\n\x07\0\0",
+         "cut off or broken"),
+    mesh("decimal commas", SQUARE.replace(b"2 1 0 0", b"2 1,5 0 0"), "not commas"),
     mesh("cut off", SQUARE[:150]),
     mesh("twisted cell", SQUARE.replace(b"7 7 1 2 3 4", b"7 7 1 3 2 4")),
     mesh("missing node", SQUARE.replace(b"7 7 1 2 3 4", b"7 7 1 2 3 9")),
@@ -337,6 +355,34 @@ GEOMETRY = [
         "Geometry/Mesh file/Boundary names=1 = bottom ; 3 = top",
         "Mesh/Refined boxes=50,50 : 60,60 : 1"],
         says=("Mesh/Refined boxes", "50")),
+]
+
+REGIONS = "Geometry/Boundary regions"
+POINT_SETS = "Geometry/Point sets"
+AT_POINTS = "Boundary conditions/Displacement at points"
+BY_POSITION = [
+    entry(REGIONS, "grip : x > 21", "'grip : x > 21'", "coarse mesh",
+          r"nearest are \(20, "),
+    entry(REGIONS, "a : x < 0.1 ; b : x < 1", "'a : x < 0.1'", "later region"),
+    entry(REGIONS, "top : x > 1", "'top'", "has already", "notch lower"),
+    entry(REGIONS, "notch tip : x > 1", "'notch tip'", "has already"),
+    entry(REGIONS, "grip", "'grip'", "name : condition"),
+    entry(REGIONS, "grip : x < t", "'x < t'", "unknown name 't'"),
+    entry(REGIONS, "grip : x <", "'x <'", "cannot understand"),
+    entry(REGIONS, "grip : y > 1 ; grip : y > 2", "second condition", r"'\|\|'"),
+    entry(REGIONS, "grip : 1/(x - 20)", FINITE, "infinity at x = 20"),
+    several("an unknown region", [(REGIONS, "grip : x > 19"), (
+        "Boundary conditions/Traction", "grap : x : 1")], "Traction", "'grap'",
+            "did you mean 'grip'"),
+    entry(POINT_SETS, "pin", "'pin'", "name : condition"),
+    entry(POINT_SETS, "2nd : x < 1", "'2nd'", "begin with a letter"),
+    several("a point set without points", [
+        (POINT_SETS, "pin : x > 30"), (AT_POINTS, "pin : x : 0")],
+            POINT_SETS, "'pin : x > 30'", r"nearest are \(20, "),
+    several("an unknown point set", [
+        (POINT_SETS, "pin : x > 5"), (AT_POINTS, "bin : x : 0")],
+            AT_POINTS, "'bin'", "which are pin"),
+    entry(AT_POINTS, "pin : x : 0", "'pin'", "there are none"),
 ]
 
 MODEL = [
@@ -385,7 +431,8 @@ MODEL = [
 
 CONDITIONS = [
     conditions("", "no displacement", "top"),
-    conditions("lid : all : 0", "'lid'", "bottom, hole, left, notch, right, top"),
+    conditions("lid : all : 0", "'lid'", "bottom, hole, left, notch, notch lower, notch upper, "
+               "right, top"),
     conditions("top : w : 0", "'w'", "all"),
     conditions("top : z : 0", "'z'", "all"),
     conditions("top : all", "'top : all'", "boundary : component : expression"),
@@ -406,6 +453,31 @@ CONDITIONS = [
     entry("Boundary conditions/Traction", "right : phase field : 1", "'phase field'"),
     entry("Boundary conditions/Traction", "right : x : 1; right : x : 2",
           "a second entry", "'right'"),
+    entry("Boundary conditions/Traction", "right : normals : 1", "'normals'",
+          "did you mean 'normal'"),
+    entry("Boundary conditions/Traction", "right : normal : 1; right : normal : 2",
+          "a second entry", "'right'"),
+    entry("Boundary conditions/Traction", "right : normal : log(y-3)", FINITE, "x = 20"),
+    entry("Boundary conditions/Pressure", "rigth : 1", "'rigth'", "did you mean 'right'"),
+    entry("Boundary conditions/Pressure", "right : normal : 1", "'right : normal : 1'",
+          "boundary : expression"),
+    entry("Boundary conditions/Pressure", "right : 1; right : 2", "a second entry",
+          "'right'"),
+    entry("Boundary conditions/Pressure", "right : p", "unknown name 'p'", "x, y, z, t"),
+    entry("Boundary conditions/Pressure", "right : log(y-3)", FINITE, "x = 20"),
+    conditions("top : rotation : t", "'rotation'", "'rotation about 0, 0'"),
+    conditions("top : rotation about 1 : t", "'rotation about 1'", "2 numbers"),
+    conditions("top : rotation about 1, a : t", "'a'", "a number"),
+    conditions("top : rotation about 0, 0 axis 0, 1 : t", "'rotation about 0, 0'"),
+    conditions("top : twist about 0, 0 : t", "'twist about 0, 0'", "rotation about"),
+    conditions("top : rotation about 0, 0 : t ; top : y : 1", "a second entry", "'top'"),
+    conditions("top : rotation about 0, 0 : 1/t", "1/t", FINITE, "t = 0"),
+    entry("Output/Watched boundaries", "tpo", "'tpo'", "did you mean 'top'"),
+    entry("Output/Watched boundaries", "top ; top", "'top' twice"),
+    entry("Output/Watched boundaries", "top moment about 1", "'top moment about 1'",
+          "point of 2 numbers"),
+    entry("Output/Watched boundaries", "top moment about 1, y", "'y'", "a number"),
+    entry("Output/Watched boundaries", "top moment", "'top moment'", "moment about"),
     entry("Boundary conditions/Body force", "x : 1; all : 2", "a second entry"),
     entry("Boundary conditions/Traction", "right : x : log(y-3)", FINITE, "x = 20"),
     entry("Boundary conditions/Body force", "x : 1 : 2", "component : expression"),
@@ -440,6 +512,35 @@ CONDITIONS = [
     entry("Output/Displacement at points", "in the hole : 13, 18",
           "'in the hole : 13 18'", "outside of the mesh", leaves=["results"]),
     value("Boundary conditions/Unbreakable margin", "-1", "found '-1'", "at least 0"),
+    entry(DISPLACEMENT_POINTS, "0, 28 : y : 0 ; 0,28 : y : t", "twice"),
+    entry(FORCES, "0 : y : 0", "'0'", "point of 2 numbers"),
+    entry(FORCES, "0, 28 : phase field : 0", "'phase field'"),
+    entry(FORCES, "0, 28 : 5", "component : expression"),
+    entry(FORCES, "0, 28 : y : 1 ; 0.0, 28 : all : 1", "twice"),
+    entry(FORCES, "0.123, 0.1 : y : 0", "'0.123 0.1'", "no vertex", "nearest is",
+          leaves=["results"]),
+    entry(FORCES, "0, 28 : y : 1/t", FINITE, "y = 28"),
+    entry(FORCES, "0, 28 : y : 1/(t-0.5)", FINITE, "t = 0.5", leaves=["results"]),
+    entry(PHASE_FIELDS, "0, 28", "point : value"),
+    entry(PHASE_FIELDS, "0, 28 : y : 0", "point : value"),
+    entry(PHASE_FIELDS, "0.123, 0.1 : 0", "'0.123 0.1'", "no vertex",
+          leaves=["results"]),
+    entry(PHASE_FIELDS, "0, 28 : 1.5", "gives 1.5", "within 0"),
+    entry(PHASE_FIELDS, "0, 28 : 0.6 + t", r"gives 1\.[16]", "within 0",
+          leaves=["results"]),
+    conditions("top : all : t ; bottom : x : symmetry", "'symmetry'"),
+    conditions("top : all : t ; bottom : symmetry ; bottom : y : 0", "the same component",
+               leaves=["results"]),
+    conditions("top : all : t ; hole : symmetry", "'hole'", "a normal such as",
+               leaves=["results"]),
+    table("missing", None, "cannot read", "load.csv"),
+    table("no numbers", b"time,force\n", "no row"),
+    table("text", b"0,0\n1,one\n", "line 2 '1,one'"),
+    table("decimal commas", b"t;u\n0,5;1,5\n1,5;2,5\n", "line 2", "decimals take a point"),
+    table("times that fall", b"0,0\n1,1\n0.5,2\n", "line 3", "increase"),
+    table("it ends too early", b"0,0\n0.5,1\n", "ends at t = 0.5", "End time = 1", status=2),
+    conditions("top : all : table(load.csv)", "quotation marks"),
+    conditions('top : all : table("load.csv", 2)', "quotation marks"),
 ]
 
 RUN = {"results/statistics.csv": b"step\n0\n", "results/log.txt": b"log\n",
@@ -509,5 +610,5 @@ COMMAND_LINE = [
           "--resume", "--overwrite", "exclude"),
 ]
 
-CASES = (PARAMETER_FILE + VALUES + MATERIAL + GEOMETRY + MODEL + CONDITIONS
+CASES = (PARAMETER_FILE + VALUES + MATERIAL + GEOMETRY + BY_POSITION + MODEL + CONDITIONS
          + OUTPUT + COMMAND_LINE)

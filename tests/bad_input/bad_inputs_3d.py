@@ -54,7 +54,12 @@ CASES = [
     several("rectangle in 3-d", [IN_3D, ("Geometry/Name", "rectangle")],
             "Geometry/Name", "'rectangle'", "in 2-d only", "slit cube, box"),
     mesh("of the plane", SQUARE, "Geometry/Dimension is 3", "quadrilaterals"),
-    mesh("triangles", TRIANGLES, "triangles", "eight-node hexahedra"),
+    mesh("triangles", TRIANGLES, "no hexahedra", "Geometry/Dimension is 3"),
+    mesh("tetrahedra", CUBE.replace(b"3 5 2 7 7 1 2 3 4 5 6 7 8", b"3 4 2 7 7 1 2 3 7"),
+         "tetrahedra", "Geometry/Mesh file/Cut simplices = true"),
+    mesh("pyramids", CUBE.replace(b"3 5 2 7 7 1 2 3 4 5 6 7 8", b"3 7 2 7 7 1 2 3 4 7"),
+         "pyramids", "cannot be cut",
+         more=("Geometry/Mesh file/Cut simplices=true",)),
     mesh("cut off", CUBE[:180]),
     mesh("twisted cell", CUBE.replace(b"1 2 3 4 5 6 7 8", b"1 3 2 4 5 6 7 8"),
          "degenerate or twisted"),
@@ -94,6 +99,18 @@ CASES = [
     box("crack paths", [("Load stepping/Stop when separated", "true")],
         "Load stepping/Stop when separated", "2-d only",
         "Stop when force falls below"),
+    box("a rotation without an axis", [
+        ("Boundary conditions/Displacement", "top : rotation about 0, 0, 0 : t")],
+        "'rotation about 0, 0, 0'", "axis 0, 0, 1"),
+    box("a rotation about no axis", [
+        ("Boundary conditions/Displacement",
+         "top : rotation about 0, 0, 0 axis 0, 0, 0 : t")], "length 0"),
+    box("a twist about a slanting axis", [
+        ("Boundary conditions/Displacement",
+         "top : twist about 0, 0, 0 axis 0, 1, 1 : t")], "twist", "along x, y or z"),
+    box("a moment about a point of the plane", [
+        ("Output/Watched boundaries", "top moment about 0, 0")],
+        "Output/Watched boundaries", "point of 3 numbers"),
     # at one node, which one rank owns
     box("an expression that fails", [
         ("Boundary conditions/Displacement", "top : all : 0 ; bottom : z : 1/(z-1)")],

@@ -48,6 +48,8 @@ CASES = [
         "Model/Energy split", "Model/Volumetric form", "coupled"),
     rubber("a fluid", [("Fluid/Pressure", "1e-3")], "Fluid/Pressure", "'1e-3'",
            "Strains = finite", "0"),
+    rubber("a pressure in plane stress", [("Boundary conditions/Pressure", "right : 1")],
+           "Boundary conditions/Pressure", "plane stress", "plane strain", "normal"),
     # names of constants
     entry(CONSTANTS, "C10=1", "'C10=1'", "Strains = small", "nothing"),
     law("Yeoh", "", "Hyperelastic constants", "found nothing", "C10, C20, C30"),

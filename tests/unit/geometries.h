@@ -56,13 +56,14 @@ namespace GeometryTests
   }
 
   inline double
-  boundary_length(const dealii::Triangulation<2>  &triangulation,
-                  const dealii::types::boundary_id id)
+  boundary_length(const dealii::Triangulation<2> &triangulation,
+                  const BoundaryIds              &ids)
   {
     double length = 0.;
     for (const auto &cell : triangulation.active_cell_iterators())
       for (const unsigned int f : cell->face_indices())
-        if (cell->face(f)->at_boundary() && cell->face(f)->boundary_id() == id)
+        if (cell->face(f)->at_boundary() &&
+            ids.contains(cell->face(f)->boundary_id()))
           length += cell->face(f)->measure();
     return length;
   }

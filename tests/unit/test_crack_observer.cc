@@ -90,12 +90,12 @@ namespace
     state.phase_field          = owned;
     state.damage_origins.reach = 3. * l;
     CrackObserver<2> observer(fields,
-                              {{"left", 0},
-                               {"right", 1},
-                               {"bottom", 2},
-                               {"top", 3},
-                               {"slit", slit},
-                               {"notch", notch}});
+                              {{0, "left"},
+                               {1, "right"},
+                               {2, "bottom"},
+                               {3, "top"},
+                               {slit, "slit"},
+                               {notch, "notch"}});
     observer.reinit(l);
     return observer.trace(state).paths;
   }

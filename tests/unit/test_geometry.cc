@@ -25,11 +25,11 @@ TEST(Geometry, EveryNameBuildsAMesh)
     each->create(triangulation);
     EXPECT_GT(triangulation.n_active_cells(), 50u);
     EXPECT_LT(triangulation.n_active_cells(), 500u);
-    std::vector<dealii::types::boundary_id> named;
+    BoundaryIds named;
     for (const auto &entry : each->boundary_ids())
-      named.push_back(entry.second);
-    std::sort(named.begin(), named.end());
-    EXPECT_EQ(named, triangulation.get_boundary_ids());
+      named.insert(entry.second.begin(), entry.second.end());
+    const auto present = triangulation.get_boundary_ids();
+    EXPECT_EQ(named, BoundaryIds(present.begin(), present.end()));
   }
 }
 

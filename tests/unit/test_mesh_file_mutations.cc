@@ -131,11 +131,13 @@ namespace
     const MeshScan             scan = scan_mesh(text, dim);
     dealii::Triangulation<dim> triangulation;
     MeshBuilder<dim>           builder(scan.contents);
+    FileBoundaries             boundaries;
     std::string                problem = scan.problem;
     if (problem.empty())
       problem = builder.build(triangulation);
     if (problem.empty())
-      problem = builder.set_boundary_ids({{key, "it", 1}}, triangulation);
+      problem =
+        builder.set_boundary_ids({{key, "it", 1}}, triangulation, boundaries);
     EXPECT_EQ(problem.find('\n'), std::string::npos) << problem;
     EXPECT_LT(problem.size(), 600u) << problem;
     if (problem.empty())

@@ -95,7 +95,7 @@ TEST(MeshFile, BrokenContents)
             message_about(gmsh(four_nodes, "1\n1 4 2 1 1 1 2 3 4\n")));
   expect_in("no quadrilaterals",
             message_about(gmsh(four_nodes, "1\n1 1 2 1 1 1 2\n")));
-  expect_in("type 10", message_about(gmsh(four_nodes, "1\n1 10 2 1 1 1 2\n")));
+  expect_in("type 26", message_about(gmsh(four_nodes, "1\n1 26 2 1 1 1 2\n")));
   expect_in("does not list",
             message_about(gmsh(four_nodes, "1\n1 3 2 1 1 1 2 3 99\n")));
   expect_in("says it has",
@@ -109,13 +109,24 @@ TEST(MeshFile, BrokenContents)
   expect_in("ends before", message_about(whole.substr(0, whole.size() - 14)));
   expect_in("binary Gmsh",
             message_about("$MeshFormat\n4.1 1 8\n$EndMeshFormat\n"));
+  expect_in(
+    "not commas",
+    message_about(gmsh("4\n1 0 0 0\n2 1,5 0 0\n3 1 1 0\n4 0 1 0\n", one_quad)));
+  expect_in("decimal commas",
+            message_about("*NODE\n1, 0,25, 0,5, 0,0\n*ELEMENT\n"));
+  expect_in("a STEP file", message_about("ISO-10303-21;\nHEADER;\n"));
+  expect_in("an STL file", message_about("solid part\nfacet normal 0 0 1\n"));
+  expect_in("HDF5", message_about("\x89HDF\r\n\x1a\n"));
+  expect_in("XML", message_about("<?xml version=\"1.0\"?>\n<VTKFile>\n"));
+  expect_in("script of Gmsh", message_about("// a\nPoint(1) = {0, 0, 0};\n"));
   expect_in("versions", message_about("$MeshFormat\n9 0 8\n$EndMeshFormat\n"));
   expect_in(
     "degenerate",
     message_about(gmsh("4\n1 0 0 0\n2 0 0 0\n3 0 0 0\n4 0 0 0\n", one_quad)));
   expect_in("without *NODE", message_about("*HEADING\nfoo\n"));
   expect_in("triangles",
-            message_about("*NODE\n1, 0, 0\n*ELEMENT, TYPE=S3\n1, 1, 2, 3\n"));
+            message_about("*NODE\n1, 0, 0\n2, 1, 0\n3, 0, 1\n"
+                          "*ELEMENT, TYPE=S3\n1, 1, 2, 3\n"));
   expect_in("three-dimensional",
             message_about("*NODE\n1, 0, 0\n*ELEMENT, TYPE=C3D8\n1, 1\n"));
   expect_in("broken element",
@@ -131,9 +142,12 @@ TEST(MeshFile, BrokenContents)
     "broken side",
     message_about(abaqus + "1, 1, 2, 3, 4\n*SURFACE, NAME=SS1\n1, S7\n"));
   expect_in("says it has", message_about("400000000 3 0 0 0\n"));
-  expect_in("type 'tri'",
+  expect_in("triangles (element 1)",
             message_about("3 1 0 0 0\n1 0 0 0\n2 1 0 0\n3 1 1 0\n"
                           "1 0 tri 1 2 3\n"));
+  expect_in("type 'tri6'",
+            message_about("3 1 0 0 0\n1 0 0 0\n2 1 0 0\n3 1 1 0\n"
+                          "1 0 tri6 1 2 3\n"));
 }
 
 
@@ -152,17 +166,18 @@ TEST(MeshFile, BoundariesThatAreNotThere)
 TEST(MeshFile, WrongEntries)
 {
   EXPECT_EQ(problem_of_entries(plate), "");
+  const std::string file = plate.file_name; // circles need its boundaries
   expect_in("File name", problem_of_entries({"", "", ""}));
   expect_in("id = name", problem_of_entries({"x", "1 bottom", ""}));
   expect_in("no integer", problem_of_entries({"x", "-1 = bottom", ""}));
   expect_in("two names", problem_of_entries({"x", "1 = a ; 1 = b", ""}));
   expect_in("two boundary ids", problem_of_entries({"x", "1 = a ; 2 = a", ""}));
   expect_in("name : x, y : radius",
-            problem_of_entries({"x", "1 = a", "a : 3"}));
-  expect_in("unknown 'b'", problem_of_entries({"x", "1 = a", "b : 0, 0 : 1"}));
-  expect_in("needs 2", problem_of_entries({"x", "1 = a", "a : 0 : 1"}));
+            problem_of_entries({file, "1 = a", "a : 3"}));
+  expect_in("unknown 'b'", problem_of_entries({file, "1 = a", "b : 0, 0 : 1"}));
+  expect_in("needs 2", problem_of_entries({file, "1 = a", "a : 0 : 1"}));
   expect_in("greater than 0",
-            problem_of_entries({"x", "1 = a", "a : 0, 0 : 0"}));
+            problem_of_entries({file, "1 = a", "a : 0, 0 : 0"}));
 
   FileEntries wrong_circle = plate;
   wrong_circle.circles     = "hole : 10, 10 : 5";

@@ -66,6 +66,7 @@ namespace
     row["crack_length"]           = 32.;
     row["min_jacobian"]           = 37.;
     row.point_displacements       = {33., 34.};
+    row.reactions                 = {38.};
     record.field_files            = {{0., "fields/a b.pvtu"}, {1., "c"}};
     record.tables                 = {{"crack_opening.csv", ""},
                                      {"crack_path.csv", "0,1,\"x, y\"\n2,3,z\n"}};
@@ -99,6 +100,7 @@ TEST(RunRecord, ComesBackAsItWasWritten)
   EXPECT_EQ(record.totals.phases.at("a b"), 1.);
   EXPECT_EQ(record.field_files[0].second, "fields/a b.pvtu");
   EXPECT_EQ(record.rows[1].point_displacements[1], 34.);
+  EXPECT_EQ(record.rows[1].reactions, std::vector<double>({38.}));
   EXPECT_EQ(record.n_overlapping_steps, 35u);
   EXPECT_EQ(record.deepest_overlap, 36.);
   EXPECT_EQ(record.overlap_in_words, example().overlap_in_words);

@@ -83,9 +83,7 @@ namespace MixedCracks
       , constraints(
           fields,
           prescribed_components(parameters,
-                                dim + (parameters.model.mixed() ? 1 : 0)),
-          prescribed_points(parameters,
-                            dim + (parameters.model.mixed() ? 1 : 0)))
+                                dim + (parameters.model.mixed() ? 1 : 0)))
       , timer(MPI_COMM_WORLD,
               std::cout,
               TimerOutput::never,
@@ -97,6 +95,10 @@ namespace MixedCracks
       material = std::make_unique<Material<dim>>(describe_material(
         parameters.model, parameters.material, dim, cell_size));
       fields.distribute();
+      constraints.take_points_from([this]() {
+        return prescribed_points(
+          parameters, fields.elastic.get_fe().n_components(), triangulation);
+      });
       constraints.reinit();
       assembler = std::make_unique<Assembler<dim>>(
         fields,
@@ -229,8 +231,8 @@ namespace MixedCracks
 
 
     template <int dim>
-    types::boundary_id
-    BodyIn<dim>::boundary_id(const std::string &boundary) const
+    BoundaryIds
+    BodyIn<dim>::boundary_ids(const std::string &boundary) const
     {
       return parameters.geometry.chosen().boundary_ids().at(boundary);
     }
@@ -242,7 +244,7 @@ namespace MixedCracks
     BodyIn<dim>::reaction(const std::string &boundary) const
     {
       BoundaryQuantities<dim> quantities(
-        fields, constraints, boundary_id(boundary));
+        fields, constraints, boundary_ids(boundary));
       quantities.reinit();
       return quantities.force(state.reaction);
     }
@@ -270,7 +272,8 @@ namespace MixedCracks
           for (const unsigned int face : cell->face_indices())
           {
             if (!cell->face(face)->at_boundary() ||
-                cell->face(face)->boundary_id() != boundary_id(boundary))
+                !boundary_ids(boundary).contains(
+                  cell->face(face)->boundary_id()))
               continue;
             face_values.reinit(cell, face);
             face_values[displacement].get_function_symmetric_gradients(

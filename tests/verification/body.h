@@ -74,7 +74,7 @@ namespace MixedCracks
       /// Largest and smallest pressure at the nodes, MPa.
       std::pair<double, double> pressure_range() const;
 
-      dealii::types::boundary_id boundary_id(const std::string &boundary) const;
+      BoundaryIds boundary_ids(const std::string &boundary) const;
 
     private:
       struct ReadParameters : Parameters<dim>

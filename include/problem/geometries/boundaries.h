@@ -4,9 +4,9 @@
 
 #include <deal.II/grid/tria.h>
 
-#include <map>
+#include <discretization/boundary_ids.h>
+
 #include <optional>
-#include <string>
 
 namespace MixedCracks
 {
@@ -24,11 +24,13 @@ namespace MixedCracks
   };
 
   template <int dim>
-  std::map<std::string, dealii::types::boundary_id>
+  NamedBoundaries
   box_side_ids()
   {
-    std::map<std::string, dealii::types::boundary_id> ids = {
-      {"left", left}, {"right", right}, {"bottom", bottom}, {"top", top}};
+    NamedBoundaries ids = {{"left", BoundaryIds(left)},
+                           {"right", BoundaryIds(right)},
+                           {"bottom", BoundaryIds(bottom)},
+                           {"top", BoundaryIds(top)}};
     if (dim == 3)
     {
       ids["back"]  = back;
@@ -67,6 +69,21 @@ namespace MixedCracks
       for (const unsigned int f : cell->face_indices())
         if (cell->face(f)->at_boundary())
           cell->face(f)->set_boundary_id(id_at(cell->face(f)->center()));
+  }
+
+  /// Give those faces of a plane mesh that have the id @p slit the id @p upper
+  /// where the body is above them. Slits are horizontal.
+  inline void
+  split_slit(dealii::Triangulation<2>        &plane,
+             const dealii::types::boundary_id slit,
+             const dealii::types::boundary_id upper)
+  {
+    for (const auto &cell : plane.active_cell_iterators())
+      for (const unsigned int f : cell->face_indices())
+        if (cell->face(f)->at_boundary() &&
+            cell->face(f)->boundary_id() == slit &&
+            cell->center()[1] > cell->face(f)->center()[1])
+          cell->face(f)->set_boundary_id(upper);
   }
 } // namespace MixedCracks
 

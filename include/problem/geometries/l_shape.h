@@ -29,8 +29,7 @@ namespace MixedCracks
 
     std::unique_ptr<PlaneFigure> coarser(double factor) const override;
 
-    std::map<std::string, dealii::types::boundary_id>
-    more_boundary_ids() const override;
+    NamedBoundaries more_boundary_ids() const override;
 
   private:
     double size      = 500.;

@@ -4,6 +4,8 @@
 
 #include <deal.II/grid/tria.h>
 
+#include <discretization/boundary_ids.h>
+
 #include <problem/geometries/mesh_contents.h>
 
 #include <map>
@@ -20,6 +22,17 @@ namespace MixedCracks
     dealii::types::boundary_id id;   ///< what its faces get
   };
 
+  /// The boundaries of a mesh from a file.
+  struct FileBoundaries
+  {
+    /// those of the .prm and, under the names of the file, the other groups
+    /// that consist of faces of the boundary
+    NamedBoundaries ids;
+    /// of several names of a face the one of the .prm, or else that of the
+    /// smallest part
+    std::map<dealii::types::boundary_id, std::string> names;
+  };
+
   /// Makes the cells of a file a serial triangulation.
   template <int dim>
   class MeshBuilder
@@ -32,14 +45,15 @@ namespace MixedCracks
     /// as the end of a sentence that begins "the file"; empty when it worked.
     std::string build(dealii::Triangulation<dim> &triangulation);
 
-    /// After build(): give the faces of the boundary the ids of @p names, and
-    /// those that no name stands for their number in the file or 0. Faces
-    /// inside the body may be in groups that have no name. Returns what is
-    /// wrong with the names or the groups they stand for, a sentence without
-    /// its stop; empty when it worked.
-    std::string
-    set_boundary_ids(const std::vector<BoundaryName> &names,
-                     dealii::Triangulation<dim>      &triangulation) const;
+    /// After build(): give the faces of the boundary ids that tell what names
+    /// they have, those of @p names and of the file; those without a name get
+    /// their number in the file or 0. Groups with faces inside the body have no
+    /// name unless @p names has one, which is an error. Returns what is wrong
+    /// with the names or the groups they stand for, a sentence without its
+    /// stop; empty when it worked.
+    std::string set_boundary_ids(const std::vector<BoundaryName> &names,
+                                 dealii::Triangulation<dim>      &triangulation,
+                                 FileBoundaries &boundaries) const;
 
     /// After build(): what the boundary consists of, as "the ids 0, 1 ('left')
     /// and the names 'top'".
@@ -66,6 +80,15 @@ namespace MixedCracks
     std::string
     check_inner_faces(const std::vector<BoundaryName> &names,
                       const std::vector<unsigned int> &name_of_group) const;
+
+    // For each group what it is called, or nothing
+    std::vector<std::string>
+    names_of_groups(const std::vector<BoundaryName> &names,
+                    const std::vector<unsigned int> &name_of_group) const;
+
+    // For each face of the boundary its names, in order
+    std::map<Face, std::vector<std::string>>
+    names_of_faces(const std::vector<std::string> &group_names) const;
 
     const MeshContents                       &contents;
     std::vector<dealii::CellData<dim>>        cells;

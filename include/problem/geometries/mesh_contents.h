@@ -27,6 +27,9 @@ namespace MixedCracks
 
     struct Node
     {
+      /// Of one that the file does not list
+      static constexpr long int none = -1;
+
       long int         number; ///< of the file
       dealii::Point<3> position;
     };
@@ -34,7 +37,7 @@ namespace MixedCracks
     struct Cell
     {
       long int                  number; ///< of the file
-      std::vector<unsigned int> nodes;  ///< around, in 3-d twice
+      std::vector<unsigned int> nodes;  ///< corners: around, in 3-d twice
       long int                  material;
     };
 
@@ -57,6 +60,14 @@ namespace MixedCracks
     std::vector<Face>    faces;
     std::vector<NodeSet> node_sets;
     std::vector<Group>   groups;
+
+    /// How many of the cells had nodes between their corners, which are not
+    /// used.
+    unsigned int n_second_order = 0;
+
+    /// Where a file numbers nodes of several bodies apart, those of body b are
+    /// known by their number plus b times this.
+    static constexpr long int numbers_per_body = 4294967296;
 
     /// Returns false when there is one of that number already.
     bool add_node(long int number, const dealii::Point<3> &position);

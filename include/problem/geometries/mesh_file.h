@@ -8,7 +8,8 @@
 namespace MixedCracks
 {
   /// A mesh of quadrilaterals, in 3-d of hexahedra, from a file: Gmsh (.msh),
-  /// Abaqus (.inp) or UCD (.inp, .ucd), told apart by content. Parts of the
+  /// Abaqus (.inp), UCD (.inp, .ucd) or legacy VTK, told apart by content;
+  /// triangles, tetrahedra and prisms are cut when asked for. Parts of the
   /// boundary (Gmsh: physical curves or surfaces; Abaqus: surfaces and sets;
   /// UCD: materials of lines or quadrilaterals) get their names in the .prm;
   /// material ids are kept.
@@ -18,10 +19,15 @@ namespace MixedCracks
   public:
     void add_parameters(dealii::ParameterHandler &prm) override;
 
+    /// One rank reads the file. Throws as create().
     void check() const override;
 
-    std::map<std::string, dealii::types::boundary_id>
-    boundary_ids() const override;
+    /// Those of the .prm, and under the names of the file the others. Reads it
+    /// where check() has not, on this rank alone.
+    NamedBoundaries boundary_ids() const override;
+
+    std::map<dealii::types::boundary_id, std::string>
+    names_of_ids() const override;
 
     std::optional<dealii::BoundingBox<dim>> extent() const override;
 
@@ -29,6 +35,9 @@ namespace MixedCracks
     /// when it is no usable mesh or not the one that the entries describe; on
     /// every rank alike.
     void create(dealii::Triangulation<dim> &triangulation) const override;
+
+    /// After create(): whether cells were cut, and which nodes were not used.
+    std::string about_mesh() const override;
 
     /// What parts of the boundary the file has. Reads it, on this rank alone.
     std::string hint_about_boundaries() const override;
@@ -38,11 +47,11 @@ namespace MixedCracks
     /// cylinder along z.
     struct Circle
     {
-      dealii::types::boundary_id boundary;
-      std::string                name;
-      dealii::Point<dim>         center;
-      double                     radius;
-      bool                       is_cylinder;
+      BoundaryIds        boundary;
+      std::string        name;
+      dealii::Point<dim> center;
+      double             radius;
+      bool               is_cylinder;
 
       double distance(const dealii::Point<dim> &point) const;
     };
@@ -58,9 +67,25 @@ namespace MixedCracks
                     const Circle               &circle,
                     dealii::types::manifold_id  id) const;
 
+    /// The mesh of the file with that @p text, which goes into @p mesh, and
+    /// what it calls the parts of its boundary.
+    FileBoundaries build(const std::string          &text,
+                         dealii::Triangulation<dim> &mesh) const;
+
+    const FileBoundaries &boundaries(MPI_Comm reading) const;
+
+    std::string what_is_read() const;
+
     std::string file_name;
     std::string boundary_names;
     std::string circles;
+    bool        cut_simplices = false;
+
+    /// of the file and names that are in `read_for`, to read it once
+    mutable FileBoundaries known;
+    mutable std::string    read_for;
+    /// See about_mesh()
+    mutable std::string remarks;
   };
 } // namespace MixedCracks
 

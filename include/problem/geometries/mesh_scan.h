@@ -15,12 +15,17 @@ namespace MixedCracks
     /// "the file"; empty when it can.
     std::string  problem;
     MeshContents contents;
+    bool         is_cut = false; ///< there were triangles or the like
   };
 
-  /// Gmsh (.msh, version 2 to 4.1, ASCII), Abaqus (.inp) or UCD (.inp, .ucd),
-  /// told apart by content. @p text: the whole file; @p dim: the dimension it
-  /// is read for.
-  MeshScan scan_mesh(const std::string &text, int dim);
+  /// Gmsh (.msh, version 2 to 4.1, ASCII; 2 and 4.1 binary), Abaqus (.inp), UCD
+  /// (.inp, .ucd) or legacy VTK (.vtk, ASCII), told apart by content. @p bytes:
+  /// the whole file; @p dim: the dimension it is read for; @p cut_simplices:
+  /// see cut_cells(), else meshes that are not of quadrilaterals or hexahedra
+  /// alone are a problem. Cells of the result are quadrilaterals, in 3-d
+  /// hexahedra.
+  MeshScan
+  scan_mesh(const std::string &bytes, int dim, bool cut_simplices = false);
 } // namespace MixedCracks
 
 #endif

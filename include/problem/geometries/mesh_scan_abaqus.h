@@ -4,6 +4,8 @@
 
 #include <problem/geometries/mesh_scan_formats.h>
 
+#include <set>
+
 namespace MixedCracks
 {
   namespace MeshScanning
@@ -45,9 +47,38 @@ namespace MixedCracks
       std::vector<unsigned int> face;
     };
 
+    /// Where an instance of a part stands: x becomes a + R (x + shift - a), R
+    /// the rotation about the axis from a to b.
+    struct AbaqusPlacement
+    {
+      dealii::Tensor<1, 3> shift;
+      dealii::Point<3>     a;
+      dealii::Tensor<1, 3> axis;       ///< of length 1, or 0
+      double               angle = 0.; ///< radian
+
+      dealii::Point<3> operator()(const dealii::Point<3> &x) const;
+    };
+
+    struct AbaqusInstance
+    {
+      std::string     name, part; ///< in upper case
+      AbaqusPlacement place;
+      unsigned int    n_lines = 0; ///< of its place, that were read
+    };
+
+    /// The names and numbers that hold within an instance.
+    struct AbaqusScope
+    {
+      /// Before the names of its sets, with a dot; empty when there is one
+      /// instance at most.
+      std::string prefix;
+      long int    base = 0; ///< added to the numbers of the file
+    };
+
     /// A line of a *SURFACE.
     struct AbaqusSurfaceLine
     {
+      AbaqusScope scope;
       std::string name;
       std::string what; ///< number or set
       int         side; ///< from 0; -1: of nodes
@@ -58,28 +89,52 @@ namespace MixedCracks
     class AbaqusReader
     {
     public:
-      AbaqusReader(const CellKind &kind, MeshContents &contents)
+      /// @p n_instances: how many the file has.
+      AbaqusReader(const CellKind    &kind,
+                   const unsigned int n_instances,
+                   MeshContents      &contents)
         : kind(kind)
         , contents(contents)
+        , n_instances(n_instances)
       {}
 
-      /// A line with a star. This and the next two return a problem.
-      std::string begin(const std::string &line);
-
-      /// A line of data.
-      std::string add_line(const std::string &line);
+      /// The next line, without a comment, complete. This and the next return
+      /// a problem.
+      std::string add(const std::string &line);
 
       /// What sets and surfaces refer to, when everything is known.
       std::string finish();
 
     private:
-      std::string add_node(const std::string &line);
-      std::string add_element(const std::string &line);
-      std::string add_to_set(const std::string                &line,
-                             const std::string                &option,
-                             std::map<std::string, AbaqusSet> &sets);
-      std::string add_to_surface(const std::string &line);
-      std::string move_instance(const std::string &line);
+      std::string begin(const std::string &line);
+      std::string add_line(const std::string &line);
+
+      /// Whether the line belongs to a part, which is kept for its instances.
+      bool        keep_for_part(const std::string &line);
+      std::string begin_instance();
+      std::string end_instance();
+      std::string place_part(const std::string &part);
+
+      std::string      add_node(const std::string &line);
+      std::string      add_element(const std::string &line);
+      std::string      add_to_set(const std::string                &line,
+                                  const std::string                &option,
+                                  std::map<std::string, AbaqusSet> &sets);
+      std::string      add_to_surface(const std::string &line);
+      std::string      move_instance(const std::string &line);
+      AbaqusScope      scope_of(const std::string &instance) const;
+      const AbaqusSet *find_set(const std::map<std::string, AbaqusSet> &sets,
+                                const AbaqusScope                      &at,
+                                const std::string &name) const;
+
+      /// Make nodes of tied surfaces one; bodies that touch else are a problem.
+      std::string join_bodies();
+      std::string tie(const std::string &first, const std::string &second);
+      std::string check_touching() const;
+      std::vector<unsigned int> nodes_of_surface(const std::string &name) const;
+      std::set<std::vector<unsigned int>>
+             faces_of_surface(const std::string &name) const;
+      double tolerance() const;
 
       void        add_materials();
       std::string add_element_groups();
@@ -92,13 +147,19 @@ namespace MixedCracks
       const CellKind &kind;
       MeshContents   &contents;
 
-      AbaqusKeyword                     keyword;
-      bool                              in_assembly = false;
-      bool                              in_instance = false;
-      std::vector<std::string>          parts, instances;
-      std::map<long int, AbaqusElement> elements;
-      std::map<std::string, AbaqusSet>  element_sets, node_sets;
-      std::vector<AbaqusSurfaceLine>    surfaces;
+      AbaqusKeyword                keyword;
+      unsigned int                 n_instances;
+      bool                         in_assembly = false;
+      bool                         in_instance = false;
+      std::string                  open_part; ///< being kept
+      std::map<std::string, Lines> parts;
+      std::vector<AbaqusInstance>  instances;
+      AbaqusScope                  scope;
+      std::vector<long int>        body_of_node;
+      std::vector<std::pair<std::string, std::string>> ties;
+      std::map<long int, AbaqusElement>                elements;
+      std::map<std::string, AbaqusSet>                 element_sets, node_sets;
+      std::vector<AbaqusSurfaceLine>                   surfaces;
       /// element sets and their materials
       std::vector<std::pair<std::string, long int>> sections;
     };

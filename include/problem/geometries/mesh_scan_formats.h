@@ -3,6 +3,7 @@
 #define mixed_cracks_problem_geometries_mesh_scan_formats_h
 
 #include <problem/geometries/mesh_contents.h>
+#include <problem/geometries/mesh_shapes.h>
 
 #include <map>
 #include <string>
@@ -28,16 +29,11 @@ namespace MixedCracks
     /// @p kind: "node", "element", ….
     std::string broken_line(const std::string &kind, const std::string &line);
 
-    /// The cells of a dimension, by the names and numbers of the formats.
+    /// The cells that a mesh of a dimension is made of.
     struct CellKind
     {
-      int          dim;
-      std::string  name;    ///< "quadrilaterals"
-      unsigned int n_nodes; ///< of a cell
-      unsigned int n_face_nodes;
-      int          gmsh_type; ///< of Gmsh's list of elements
-      std::string  ucd_type;
-      char         last_side; ///< of Abaqus' S1, S2, …: its digit
+      int         dim;
+      std::string name; ///< "quadrilaterals"
     };
 
     CellKind cell_kind(int dim);
@@ -49,8 +45,56 @@ namespace MixedCracks
     /// A mesh of the other dimension; @p found as above.
     std::string other_dimension(const std::string &found, const CellKind &kind);
 
+    /// What to do about triangles and the like.
+    std::string cut_or_remesh(const std::string &found, const CellKind &kind);
+
     /// Nodes of a cell or face that the file does not list; @p line: where.
     std::string unlisted_node(const std::string &line);
+
+    /// An element as a file lists it.
+    struct Element
+    {
+      long int            number;
+      const ElementShape &shape;
+      long int            material; ///< of a cell
+      /// of a face; not always wanted
+      std::vector<unsigned int> groups;
+    };
+
+    /// Make the element with these numbers of nodes, corners first, a cell or a
+    /// face; one of less dimensions is left out. @p line: where it stands.
+    template <typename Iterator>
+    std::string
+    add_element(const Element     &element,
+                const Iterator     first_node,
+                const std::string &line,
+                const CellKind    &kind,
+                MeshContents      &contents)
+    {
+      const ElementShape &shape = element.shape;
+      if (shape.dim > kind.dim)
+        return other_dimension(shape.in_words() + " (element " +
+                                 std::to_string(element.number) + ")",
+                               kind);
+      if (shape.dim < kind.dim - 1)
+        return "";
+      const auto nodes =
+        contents.indices_of(first_node, first_node + shape.n_corners);
+      if (nodes.size() != shape.n_corners)
+        return unlisted_node(line);
+      if (shape.dim == kind.dim)
+      {
+        contents.cells.push_back({element.number, nodes, element.material});
+        contents.n_second_order += shape.is_second_order();
+      }
+      else
+        for (const unsigned int group : element.groups)
+          contents.faces.push_back({nodes, group});
+      return "";
+    }
+
+    /// When there are no cells. @p has_faces: elements of one dimension less.
+    std::string no_cells(bool has_faces, const CellKind &kind);
 
     /// "4 ('top')", or one of the two.
     std::string in_words(const MeshContents::Group &group);
@@ -80,6 +124,19 @@ namespace MixedCracks
     /// Needs a first line of five numbers, and no comments.
     std::string
     scan_ucd(const Lines &lines, const CellKind &kind, MeshContents &contents);
+
+    std::string
+    scan_vtk(const Lines &lines, const CellKind &kind, MeshContents &contents);
+
+    /// Whether the bytes are a binary Gmsh file.
+    bool is_binary_gmsh(const std::string &bytes);
+
+    /// Such a file as the lines of an ASCII file with the same contents.
+    std::string gmsh_as_lines(const std::string &bytes, Lines &lines);
+
+    /// What kind of file that is not read this is: "a STEP file", …; empty when
+    /// it is unknown.
+    std::string name_of_other_format(const std::string &bytes);
   } // namespace MeshScanning
 } // namespace MixedCracks
 

@@ -44,7 +44,7 @@ namespace MixedCracks
     virtual std::unique_ptr<PlaneFigure> coarser(double factor) const = 0;
 
     /// Boundaries but for the sides; their ids count on from n_box_sides.
-    virtual std::map<std::string, dealii::types::boundary_id>
+    virtual NamedBoundaries
     more_boundary_ids() const
     {
       return {};

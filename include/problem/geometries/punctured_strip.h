@@ -10,7 +10,7 @@ namespace MixedCracks
   /// The strip [0, Width] x [0, Height] with a circular hole and a sharp
   /// notch from the left edge, either or both of them absent [Mang21,
   /// Section 4]. Boundaries: left, right, bottom, top, hole, and notch (both
-  /// faces of the slit).
+  /// faces of the slit; notch lower, notch upper).
   class PuncturedStrip : public PlaneFigure
   {
   public:
@@ -28,8 +28,7 @@ namespace MixedCracks
 
     std::unique_ptr<PlaneFigure> coarser(double factor) const override;
 
-    std::map<std::string, dealii::types::boundary_id>
-    more_boundary_ids() const override;
+    NamedBoundaries more_boundary_ids() const override;
 
     std::map<std::string, dealii::Point<2>> named_points() const override;
 

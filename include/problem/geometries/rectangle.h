@@ -16,8 +16,7 @@ namespace MixedCracks
 
     void check() const override;
 
-    std::map<std::string, dealii::types::boundary_id>
-    boundary_ids() const override;
+    NamedBoundaries boundary_ids() const override;
 
     std::optional<dealii::BoundingBox<dim>> extent() const override;
 

@@ -10,8 +10,8 @@ namespace MixedCracks
   /// The square [0, Size]^2 with a sharp horizontal slit from the left edge:
   /// the single-edge-notched specimen of [Miehe10b] by default. In 3-d the cube
   /// [0, Size]^3 with that slit through all of its depth. Boundaries: left,
-  /// right, bottom, top, slit (both faces of it), and in 3-d back (z = 0) and
-  /// front.
+  /// right, bottom, top, slit (both faces of it; slit lower, slit upper), and
+  /// in 3-d back (z = 0) and front.
   class SlitSquare : public PlaneFigure
   {
   public:
@@ -32,8 +32,7 @@ namespace MixedCracks
 
     std::unique_ptr<PlaneFigure> coarser(double factor) const override;
 
-    std::map<std::string, dealii::types::boundary_id>
-    more_boundary_ids() const override;
+    NamedBoundaries more_boundary_ids() const override;
 
     std::map<std::string, dealii::Point<2>> named_points() const override;
 

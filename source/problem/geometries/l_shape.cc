@@ -70,7 +70,7 @@ namespace MixedCracks
 
 
 
-  std::map<std::string, dealii::types::boundary_id>
+  NamedBoundaries
   LShape::more_boundary_ids() const
   {
     return {{"reentrant horizontal", reentrant_horizontal},

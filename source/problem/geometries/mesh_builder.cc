@@ -56,9 +56,10 @@ namespace MixedCracks
   {
     std::string text;
     for (const unsigned int node : face)
-      text += (text.empty() ? "" : ", ") +
-              std::to_string(contents.nodes[node].number);
-    return text;
+      if (contents.nodes[node].number != MeshContents::Node::none)
+        text += (text.empty() ? "" : ", ") +
+                std::to_string(contents.nodes[node].number);
+    return text.empty() ? "made by cutting" : text;
   }
 
 

@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Ids of boundary faces. A face may be in several groups of the file (a
-// physical group, a surface, a set of nodes); at most one of them may have a
-// name in the .prm, which decides. Without a name the number of the file is the
-// id, so that it can be seen in output; without a number it is 0.
+// physical group, a surface, a set of nodes) and has the names of all of them:
+// that of the .prm where it gives one, or else that of the file. What names a
+// face has is what its id tells: each combination that occurs has an id, and a
+// name stands for the ids of all combinations that it is part of. Without any
+// name the number of the file is the id; without a number it is 0.
 //
-// A group with a name must consist of boundary faces: one inside the body would
-// be a condition that is silently not applied.
+// A group with a name in the .prm must consist of boundary faces: one inside
+// the body would be a condition that is silently not applied. Other groups that
+// do not are no boundaries.
 
 #include <base/names.h>
 #include <base/text.h>
@@ -81,6 +84,65 @@ namespace MixedCracks
           return static_cast<dealii::types::boundary_id>(groups[g].number);
       return 0;
     }
+
+
+
+    // Ids from here on are those of faces with several names, or with one that
+    // the .prm does not give
+    constexpr dealii::types::boundary_id first_shared_id = 1500000000;
+
+    using Names = std::vector<std::string>;
+
+    // By the names of a face; one that the .prm gives has the id that it is to
+    // have there.
+    template <typename Faces>
+    std::map<Names, dealii::types::boundary_id>
+    ids_of_names(const Faces &names_at, const std::vector<BoundaryName> &given)
+    {
+      std::map<Names, dealii::types::boundary_id> ids;
+      for (const auto &[face, names] : names_at)
+        if (!names.empty())
+          ids[names] = 0;
+      dealii::types::boundary_id next = first_shared_id;
+      for (auto &[names, id] : ids)
+      {
+        id = next++;
+        if (names.size() == 1)
+          for (const BoundaryName &name : given)
+            if (name.name == names[0])
+              id = name.id;
+      }
+      return ids;
+    }
+
+
+
+    template <typename Faces>
+    FileBoundaries
+    boundaries_of(const Faces                                       &names_at,
+                  const std::map<Names, dealii::types::boundary_id> &ids,
+                  const std::vector<BoundaryName>                   &given)
+    {
+      FileBoundaries                     result;
+      std::map<std::string, std::size_t> n_faces;
+      for (const auto &[face, names] : names_at)
+        for (const std::string &name : names)
+          ++n_faces[name];
+      for (const BoundaryName &name : given)
+        n_faces[name.name] = 0; // before those of the file
+      for (const auto &[names, id] : ids)
+      {
+        for (const std::string &name : names)
+          result.ids[name].insert(id);
+        result.names[id] =
+          *std::min_element(names.begin(),
+                            names.end(),
+                            [&](const std::string &a, const std::string &b) {
+                              return n_faces.at(a) < n_faces.at(b);
+                            });
+      }
+      return result;
+    }
   } // namespace
 
 
@@ -111,11 +173,66 @@ namespace MixedCracks
 
 
 
+  // A group that has no name in the .prm goes by that of the file, unless it
+  // cannot be a boundary or the .prm calls another one so.
+  template <int dim>
+  std::vector<std::string>
+  MeshBuilder<dim>::names_of_groups(
+    const std::vector<BoundaryName> &names,
+    const std::vector<unsigned int> &name_of_group) const
+  {
+    std::vector<bool> is_boundary(contents.groups.size(), true);
+    for (const auto &[face, groups] : groups_at)
+    {
+      const auto cells_there = faces_of_cells.find(face);
+      if (cells_there == faces_of_cells.end() ||
+          cells_there->second.n_cells != 1)
+        for (const unsigned int g : groups)
+          is_boundary[g] = false;
+    }
+    std::vector<std::string> result(contents.groups.size());
+    for (std::size_t g = 0; g < result.size(); ++g)
+      if (name_of_group[g] != nobody)
+        result[g] = names[name_of_group[g]].name;
+      else if (is_boundary[g])
+      {
+        result[g] = single_spaced(contents.groups[g].name);
+        for (const BoundaryName &name : names)
+          if (name.name == result[g])
+            result[g].clear();
+      }
+    return result;
+  }
+
+
+
+  template <int dim>
+  std::map<std::vector<unsigned int>, std::vector<std::string>>
+  MeshBuilder<dim>::names_of_faces(
+    const std::vector<std::string> &group_names) const
+  {
+    std::map<Face, std::vector<std::string>> result;
+    for (const auto &[face, groups] : groups_at)
+      if (const auto cells_there = faces_of_cells.find(face);
+          cells_there != faces_of_cells.end() &&
+          cells_there->second.n_cells == 1)
+      {
+        std::set<std::string> names;
+        for (const unsigned int g : groups)
+          if (!group_names[g].empty())
+            names.insert(group_names[g]);
+        result[face].assign(names.begin(), names.end());
+      }
+    return result;
+  }
+
+
+
   template <int dim>
   std::string
-  MeshBuilder<dim>::set_boundary_ids(
-    const std::vector<BoundaryName> &names,
-    dealii::Triangulation<dim>      &triangulation) const
+  MeshBuilder<dim>::set_boundary_ids(const std::vector<BoundaryName> &names,
+                                     dealii::Triangulation<dim> &triangulation,
+                                     FileBoundaries &boundaries) const
   {
     std::vector<unsigned int> name_of_group;
     std::string problem = find_names(names, contents.groups, name_of_group);
@@ -124,8 +241,14 @@ namespace MixedCracks
     if (!problem.empty())
       return problem;
 
-    std::set<dealii::types::boundary_id>   present;
-    static const std::vector<unsigned int> no_groups;
+    const auto names_at = names_of_faces(names_of_groups(names, name_of_group));
+    const auto ids      = ids_of_names(names_at, names);
+    boundaries          = boundaries_of(names_at, ids, names);
+    for (const BoundaryName &name : names)
+      if (boundaries.ids.count(name.name) == 0)
+        return "the boundary id " + name.key + " (" + name.name +
+               ") is not in the file, which has " + known_boundaries();
+
     for (const auto &cell : triangulation.active_cell_iterators())
       for (const auto &face : cell->face_iterators())
       {
@@ -135,30 +258,13 @@ namespace MixedCracks
         for (const unsigned int v : face->vertex_indices())
           nodes.push_back(node_of_vertex[face->vertex_index(v)]);
         std::sort(nodes.begin(), nodes.end());
-        const auto  known = groups_at.find(nodes);
-        const auto &groups =
-          known == groups_at.end() ? no_groups : known->second;
-        unsigned int named = nobody;
-        for (const unsigned int g : groups)
-          if (const unsigned int n = name_of_group[g]; n != nobody)
-          {
-            if (named != nobody && named != n)
-              return "the face with the nodes " + node_list(nodes) +
-                     " is in two boundaries, " + names[named].key + " (" +
-                     names[named].name + ") and " + names[n].key + " (" +
-                     names[n].name + "); only one of them can have a name";
-            named = n;
-          }
-        const auto id = named == nobody
-                          ? id_without_name(groups, contents.groups)
-                          : names[named].id;
-        face->set_boundary_id(id);
-        present.insert(id);
+        const auto known = names_at.find(nodes);
+        face->set_boundary_id(
+          known == names_at.end() ? 0
+          : known->second.empty()
+            ? id_without_name(groups_at.at(nodes), contents.groups)
+            : ids.at(known->second));
       }
-    for (const BoundaryName &name : names)
-      if (present.count(name.id) == 0)
-        return "the boundary id " + name.key + " (" + name.name +
-               ") is not in the file, which has " + known_boundaries();
     return "";
   }
 
@@ -204,8 +310,15 @@ namespace MixedCracks
   template std::string MeshBuilder<dim>::check_inner_faces(                 \
     const std::vector<BoundaryName> &, const std::vector<unsigned int> &)   \
     const;                                                                  \
+  template std::vector<std::string> MeshBuilder<dim>::names_of_groups(      \
+    const std::vector<BoundaryName> &, const std::vector<unsigned int> &)   \
+    const;                                                                  \
+  template std::map<std::vector<unsigned int>, std::vector<std::string>>    \
+  MeshBuilder<dim>::names_of_faces(const std::vector<std::string> &) const; \
   template std::string MeshBuilder<dim>::set_boundary_ids(                  \
-    const std::vector<BoundaryName> &, dealii::Triangulation<dim> &) const; \
+    const std::vector<BoundaryName> &,                                      \
+    dealii::Triangulation<dim> &,                                           \
+    FileBoundaries &) const;                                                \
   template std::string MeshBuilder<dim>::known_boundaries() const;
   INSTANTIATE(2)
   INSTANTIATE(3)

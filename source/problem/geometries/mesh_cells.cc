@@ -93,8 +93,13 @@ namespace MixedCracks
       const auto   edges   = edges_at<dim>(contents, cell, corner);
       const double measure = measure_of(edges);
       if (!(std::abs(measure) > smallest))
-        return sentence + "has " + flat_corner(edges) + " at node " +
-               std::to_string(contents.nodes[cell.nodes[corner]].number);
+      {
+        const long int node = contents.nodes[cell.nodes[corner]].number;
+        return sentence + "has " + flat_corner(edges) +
+               (node == MeshContents::Node::none
+                  ? " in a piece of it"
+                  : " at node " + std::to_string(node));
+      }
       n_positive += measure > 0.;
     }
     if (n_positive == n)

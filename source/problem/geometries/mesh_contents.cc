@@ -15,7 +15,7 @@ namespace MixedCracks
            .emplace(number, static_cast<unsigned int>(nodes.size()))
            .second)
       return false;
-    nodes.push_back({number, position});
+    nodes.push_back({number % numbers_per_body, position});
     return true;
   }
 

@@ -2,13 +2,16 @@
 // A mesh from a file, in four stages that know nothing of each other:
 //
 //   text      mesh_reader.cc         read on one rank, handed to all
-//   contents  mesh_scan*.cc          nodes, cells, groups; Gmsh, Abaqus or UCD
+//   contents  mesh_scan*.cc          nodes, cells, groups of a format, cut into
+//                                    quadrilaterals or hexahedra, mesh_cut.cc
 //   mesh      mesh_builder.cc        checked, turned and numbered for deal.II
 //   names     mesh_builder_boundaries.cc   ids of boundaries by the .prm
 //
 // All ranks do the last three alike: the coarse mesh has to be the same
 // everywhere. Boundaries that the .prm knows by a number keep it as their id;
 // those known by a name get ids above the largest number that a file may use.
+// What names there are the file tells as well, so that it is read once more
+// when a case is checked.
 
 #include <base/text.h>
 
@@ -43,6 +46,21 @@ namespace MixedCracks
       return *behind == '\0';
     }
 
+
+
+    // What was done to the cells of the file
+    std::string
+    in_words(const MeshScan &scan)
+    {
+      const std::string cut =
+        scan.is_cut ? "each cell of the file cut at its corners" : "";
+      if (scan.contents.n_second_order == 0)
+        return cut;
+      return cut + (cut.empty() ? "" : "; ") + "of " +
+             std::to_string(scan.contents.n_second_order) +
+             " cells of second order the corners, so that curved edges are "
+             "straight (but for Circles)";
+    }
   } // namespace
 
 
@@ -55,24 +73,33 @@ namespace MixedCracks
     prm.add_parameter(
       "File name",
       file_name,
-      "Gmsh .msh (version 2 or 4, ASCII), Abaqus .inp or UCD "
-      "mesh of four-node quadrilaterals, in 3-d of eight-node "
-      "hexahedra; lengths in mm. A relative path starts "
-      "at the .prm that sets it, or else at the working "
-      "directory.",
+      "Gmsh .msh (version 2 or 4, ASCII or binary), Abaqus .inp, UCD or legacy "
+      "VTK mesh (ASCII) of quadrilaterals, in 3-d of hexahedra; of elements "
+      "of second order the corners are used. Lengths in mm. A relative path "
+      "starts at the .prm that sets it, or else at the working directory.",
       dealii::Patterns::FileName(dealii::Patterns::FileName::input));
+    prm.add_parameter("Cut simplices",
+                      cut_simplices,
+                      "Whether a mesh that has other cells, too, is taken: "
+                      "each triangle is cut into three quadrilaterals by the "
+                      "middles of its edges and its centroid, each "
+                      "quadrilateral beside triangles into four; in 3-d a "
+                      "tetrahedron into four hexahedra, a prism into six, a "
+                      "hexahedron beside them into eight. Cells become half "
+                      "as long. Pyramids cannot be cut.");
     prm.add_parameter("Boundary names",
                       boundary_names,
                       "Names for parts of the boundary, as in '1 = bottom ; 2 "
                       "= top ; TopEdge = grip': left the id or name in the "
                       "file. Ids are the numbers of Gmsh's physical curves, in "
                       "3-d surfaces, of Abaqus surfaces named SS1, SS2, ..., "
-                      "or the materials of UCD lines, in 3-d quadrilaterals; "
+                      "or the materials of UCD and VTK lines, in 3-d faces; "
                       "names are those of Gmsh's physical groups and of "
                       "Abaqus' surfaces, sets of elements of one dimension "
                       "less, and sets of nodes (all faces whose nodes are in "
                       "it). The rest of the boundary has the id 0. A face in "
-                      "two parts belongs to the one that has a name here.",
+                      "several parts has all of their names. Names of the file "
+                      "hold as they are where none is given here.",
                       Anything());
     prm.add_parameter("Circles",
                       circles,
@@ -92,7 +119,8 @@ namespace MixedCracks
     require(!file_name.empty(),
             subsection + "File name is empty; the geometry 'mesh file' needs "
                          "the path of a mesh.");
-    boundary_ids();
+    parsed_names();
+    boundaries(MPI_COMM_WORLD);
     parsed_circles();
   }
 
@@ -131,13 +159,70 @@ namespace MixedCracks
 
 
   template <int dim>
-  std::map<std::string, dealii::types::boundary_id>
+  FileBoundaries
+  MeshFile<dim>::build(const std::string          &text,
+                       dealii::Triangulation<dim> &mesh) const
+  {
+    const MeshScan    scan = scan_mesh(text, dim, cut_simplices);
+    MeshBuilder<dim>  builder(scan.contents);
+    const std::string problem =
+      scan.problem.empty() ? builder.build(mesh) : scan.problem;
+    require(problem.empty(),
+            subsection + "File name: the file '" + file_name + "' " + problem +
+              ".");
+    FileBoundaries    result;
+    const std::string wrong =
+      builder.set_boundary_ids(parsed_names(), mesh, result);
+    require(wrong.empty(),
+            subsection + "Boundary names: " + wrong + " ('" + file_name +
+              "').");
+    remarks = in_words(scan);
+    return result;
+  }
+
+
+
+  // of all entries that boundaries() depends on
+  template <int dim>
+  std::string
+  MeshFile<dim>::what_is_read() const
+  {
+    return file_name + '\n' + boundary_names + (cut_simplices ? "\ncut" : "");
+  }
+
+
+
+  template <int dim>
+  const FileBoundaries &
+  MeshFile<dim>::boundaries(const MPI_Comm reading) const
+  {
+    const std::string key = what_is_read();
+    if (read_for != key)
+    {
+      dealii::Triangulation<dim> mesh;
+      known = build(
+        read_file_once(file_name, reading, subsection + "File name"), mesh);
+      read_for = key;
+    }
+    return known;
+  }
+
+
+
+  template <int dim>
+  NamedBoundaries
   MeshFile<dim>::boundary_ids() const
   {
-    std::map<std::string, dealii::types::boundary_id> ids;
-    for (const BoundaryName &name : parsed_names())
-      ids[name.name] = name.id;
-    return ids;
+    return boundaries(MPI_COMM_SELF).ids;
+  }
+
+
+
+  template <int dim>
+  std::map<dealii::types::boundary_id, std::string>
+  MeshFile<dim>::names_of_ids() const
+  {
+    return boundaries(MPI_COMM_SELF).names;
   }
 
 
@@ -191,21 +276,12 @@ namespace MixedCracks
   void
   MeshFile<dim>::create(dealii::Triangulation<dim> &triangulation) const
   {
-    const std::string parameter = subsection + "File name";
-    const std::string text =
-      read_file_once(file_name, triangulation.get_communicator(), parameter);
+    const std::string text = read_file_once(
+      file_name, triangulation.get_communicator(), subsection + "File name");
     // a serial mesh, every rank's own
     dealii::Triangulation<dim> mesh;
-    const MeshScan             scan = scan_mesh(text, dim);
-    MeshBuilder<dim>           builder(scan.contents);
-    const std::string          problem =
-      scan.problem.empty() ? builder.build(mesh) : scan.problem;
-    require(problem.empty(),
-            parameter + ": the file '" + file_name + "' " + problem + ".");
-    const std::string wrong = builder.set_boundary_ids(parsed_names(), mesh);
-    require(wrong.empty(),
-            subsection + "Boundary names: " + wrong + " ('" + file_name +
-              "').");
+    known    = build(text, mesh);
+    read_for = what_is_read();
 
     mesh.reset_all_manifolds();
     mesh.set_all_manifold_ids(dealii::numbers::flat_manifold_id);
@@ -213,6 +289,15 @@ namespace MixedCracks
     dealii::types::manifold_id manifold = 0;
     for (const Circle &circle : parsed_circles())
       set_circle(triangulation, circle, ++manifold);
+  }
+
+
+
+  template <int dim>
+  std::string
+  MeshFile<dim>::about_mesh() const
+  {
+    return remarks;
   }
 
 
@@ -231,14 +316,15 @@ namespace MixedCracks
     {
       return "Names are given in " + names + ".";
     }
-    const MeshScan             scan = scan_mesh(text, dim);
+    const MeshScan             scan = scan_mesh(text, dim, cut_simplices);
     MeshBuilder<dim>           builder(scan.contents);
     dealii::Triangulation<dim> mesh;
     if (!scan.problem.empty() || !builder.build(mesh).empty())
       return "Names are given in " + names + ".";
     return "The boundary of the file '" + file_name + "' has " +
            builder.known_boundaries() + "; " + names +
-           " gives them names, as in '1 = bottom'.";
+           " gives them names, as in '1 = bottom', and Geometry/Boundary "
+           "regions names parts by their position.";
   }
 
 
@@ -253,7 +339,8 @@ namespace MixedCracks
       for (const unsigned int f : cell->face_indices())
       {
         const auto face = cell->face(f);
-        if (!face->at_boundary() || face->boundary_id() != circle.boundary)
+        if (!face->at_boundary() ||
+            !circle.boundary.contains(face->boundary_id()))
           continue;
         for (const unsigned int v : face->vertex_indices())
         {

@@ -1,14 +1,16 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Which format a mesh file has is told by its first line, not by its name:
 // '.inp' is used by Abaqus and by UCD. '$' begins a Gmsh file, '*' an Abaqus
-// file, five numbers a UCD file. The parsers that follow it take lines without
-// blanks around and without empty lines, and return what is wrong as the end of
-// a sentence.
+// file, '# vtk' a VTK file, five numbers a UCD file. The parsers that follow it
+// take lines without blanks around and without empty lines, and return what is
+// wrong as the end of a sentence. A binary Gmsh file becomes the lines of an
+// ASCII file first.
 //
 // Numbers are read strictly: a line with anything else is no line of numbers.
 
 #include <base/text.h>
 
+#include <problem/geometries/mesh_cut.h>
 #include <problem/geometries/mesh_scan.h>
 #include <problem/geometries/mesh_scan_formats.h>
 
@@ -50,6 +52,26 @@ namespace MixedCracks
         return place == line.c_str() + line.size() ? numbers
                                                    : std::vector<Number>();
       }
+
+
+
+      // "0,25" among numbers that are separated by blanks
+      bool
+      has_decimal_comma(const std::string &line)
+      {
+        const auto is_digit = [&](const std::size_t place) {
+          return place < line.size() &&
+                 std::isdigit(static_cast<unsigned char>(line[place]));
+        };
+        bool has_comma = false, has_blank = false;
+        for (std::size_t i = 1; i < line.size(); ++i)
+        {
+          has_comma =
+            has_comma || (line[i] == ',' && is_digit(i - 1) && is_digit(i + 1));
+          has_blank = has_blank || (line[i] == ' ' && is_digit(i - 1));
+        }
+        return has_comma && has_blank;
+      }
     } // namespace
 
 
@@ -88,7 +110,9 @@ namespace MixedCracks
     std::string
     broken_line(const std::string &kind, const std::string &line)
     {
-      return "has a broken " + kind + ": " + in_quotes(line);
+      return "has a broken " + kind + ": " + in_quotes(line) +
+             (has_decimal_comma(line) ? "; numbers have points, not commas"
+                                      : "");
     }
 
 
@@ -97,8 +121,8 @@ namespace MixedCracks
     cell_kind(const int dim)
     {
       if (dim == 2)
-        return {2, "quadrilaterals", 4, 2, 3, "quad", '4'};
-      return {3, "hexahedra", 8, 4, 5, "hex", '6'};
+        return {2, "quadrilaterals"};
+      return {3, "hexahedra"};
     }
 
 
@@ -108,12 +132,33 @@ namespace MixedCracks
     {
       return "has " + found +
              (kind.dim == 2
-                ? "; only meshes of four-node quadrilaterals are read (in Gmsh: "
-                  "recombine, Mesh.SubdivisionAlgorithm = 1, first order, "
+                ? "; only meshes of quadrilaterals are read (in Gmsh: "
+                  "recombine, Mesh.SubdivisionAlgorithm = 1, "
                   "two-dimensional)"
-                : "; only meshes of eight-node hexahedra are read (in Gmsh: "
+                : "; only meshes of hexahedra are read (in Gmsh: "
                   "transfinite volumes or extruded layers, recombined, or "
-                  "Mesh.SubdivisionAlgorithm = 2; first order)");
+                  "Mesh.SubdivisionAlgorithm = 2)");
+    }
+
+
+
+    std::string
+    cut_or_remesh(const std::string &found, const CellKind &kind)
+    {
+      return unusable_element(found, kind) +
+             "; Geometry/Mesh file/Cut simplices = true cuts " +
+             (kind.dim == 2 ? "each triangle into three quadrilaterals"
+                            : "each tetrahedron into four hexahedra");
+    }
+
+
+
+    std::string
+    no_cells(const bool has_faces, const CellKind &kind)
+    {
+      const std::string nothing = "no " + kind.name;
+      return kind.dim == 3 && has_faces ? other_dimension(nothing, kind)
+                                        : unusable_element(nothing, kind);
     }
 
 
@@ -177,39 +222,80 @@ namespace MixedCracks
 
 
 
-  MeshScan
-  scan_mesh(const std::string &whole_text, const int dim)
+  namespace
   {
     using namespace MeshScanning;
-    const CellKind    kind = cell_kind(dim);
-    const std::string text = plain(whole_text);
-    MeshScan          scan;
-    if (starts_with(text, "\xFF\xFE") || starts_with(text, "\xFE\xFF"))
+
+    std::string
+    scan_binary(const std::string &bytes,
+                const CellKind    &kind,
+                MeshContents      &contents)
     {
-      scan.problem = "is UTF-16 text; save it as ASCII or UTF-8";
-      return scan;
+      Lines             lines;
+      const std::string problem = gmsh_as_lines(bytes, lines);
+      return problem.empty() ? scan_gmsh(lines, kind, contents) : problem;
     }
-    Lines lines = split_list(text, '\n');
-    if (lines.empty())
-      scan.problem = "is empty";
-    else if (starts_with(lines.front(), "$") && !is_binary(text.substr(0, 40)))
-      scan.problem = scan_gmsh(lines, kind, scan.contents);
-    else if (is_binary(text))
-      scan.problem = "is binary, not text";
-    else if (starts_with(lines.front(), "*"))
-      scan.problem = scan_abaqus(lines, kind, scan.contents);
-    else
+
+
+
+    // By the first line
+    std::string
+    scan_text(const std::string &text,
+              const CellKind    &kind,
+              MeshContents      &contents)
     {
+      if (starts_with(text, "\xFF\xFE") || starts_with(text, "\xFE\xFF"))
+        return "is UTF-16 text; save it as ASCII or UTF-8";
+      Lines lines = split_list(text, '\n');
+      if (lines.empty())
+        return "is empty";
+      if (is_binary(text))
+        return "is binary, not text";
+      if (starts_with(lines.front(), "$"))
+        return scan_gmsh(lines, kind, contents);
+      if (starts_with(lines.front(), "*"))
+        return scan_abaqus(lines, kind, contents);
+      if (starts_with(lines.front(), "# vtk"))
+        return scan_vtk(lines, kind, contents);
       lines.erase(
         std::remove_if(lines.begin(),
                        lines.end(),
                        [](const std::string &line) { return line[0] == '#'; }),
         lines.end());
-      scan.problem =
-        !lines.empty() && numbers_of(lines.front()).size() == 5
-          ? scan_ucd(lines, kind, scan.contents)
-          : "is neither a Gmsh (.msh), an Abaqus (.inp) nor a UCD file";
+      return !lines.empty() && numbers_of(lines.front()).size() == 5
+               ? scan_ucd(lines, kind, contents)
+               : "is neither a Gmsh (.msh), an Abaqus (.inp), a UCD nor a VTK "
+                 "file";
     }
+  } // namespace
+
+
+
+  MeshScan
+  scan_mesh(const std::string &bytes, const int dim, const bool cut_simplices)
+  {
+    const CellKind    kind  = cell_kind(dim);
+    const std::string other = name_of_other_format(bytes);
+    MeshScan          scan;
+    if (!other.empty())
+      scan.problem = "is " + other +
+                     "; Gmsh (.msh), Abaqus (.inp), UCD and legacy VTK files "
+                     "are read";
+    else if (is_binary_gmsh(bytes))
+      scan.problem = scan_binary(bytes, kind, scan.contents);
+    else
+      scan.problem = scan_text(plain(bytes), kind, scan.contents);
+    const MeshContents::Cell *simplex = first_simplex(scan.contents, dim);
+    if (!scan.problem.empty() || simplex == nullptr)
+      return scan;
+    const std::string found = shape_of_nodes(dim, simplex->nodes.size())->name +
+                              " (element " + std::to_string(simplex->number) +
+                              ")";
+    if (cut_simplices)
+      scan.problem = cut_cells(scan.contents, dim);
+    else
+      scan.problem = cut_or_remesh(found, kind);
+    scan.is_cut = cut_simplices;
     return scan;
   }
 } // namespace MixedCracks

@@ -10,9 +10,9 @@
 //   *... SECTION, ELSET=, MATERIAL=   material id: the number at the end of the
 //                               name, or that of ELSET=EB1, EB2, ...
 //
-// Parts, instances and assemblies: one of each at most, not moved, since nodes
-// of several instances have the same numbers. Other keywords, as of steps and
-// loads, are skipped: the .prm says what is applied. Names have no case.
+// Parts are read once for each of their instances, see
+// mesh_scan_abaqus_bodies.cc. Other keywords, as of steps and loads, are
+// skipped: the .prm says what is applied. Names have no case.
 
 #include <base/text.h>
 
@@ -86,66 +86,38 @@ namespace MixedCracks
 
 
 
-      // The one element type that is a cell, one that can mark a boundary or
-      // is of no use, or why it cannot be read
-      enum class Use
-      {
-        cell,
-        face,
-        ignored,
-        other_dimension,
-        unusable
-      };
-
-
-
-      Use
-      use_of(const std::string &type,
-             const std::size_t  n_nodes,
-             const CellKind    &kind)
+      // What an element is by its type and number of nodes; null for what is
+      // of no use. In 2-d shells count as cells, as do elements without a type.
+      const ElementShape *
+      shape_of(const std::string &type,
+               const std::size_t  n_nodes,
+               const int          dim)
       {
         const auto begins = [&](const char *word) {
           return starts_with(type, word);
         };
+        if (begins("C3D") || begins("DC3D") ||
+            (type.empty() && dim == 3 && n_nodes == 8))
+          return shape_of_nodes(3, n_nodes);
+        if (n_nodes == 1 || begins("MASS") || begins("ROTARY"))
+          return shape_of_nodes(0, 1);
         const bool is_line = begins("T2D") || begins("T3D") || begins("B2") ||
                              begins("B3") || begins("R2D") || begins("RB") ||
                              begins("SPRING") || begins("DASHPOT") ||
                              begins("CONN") || begins("GAP") || begins("DC1D");
-        const bool is_solid = begins("C3D");
-        if (kind.dim == 2 && is_solid)
-          return Use::other_dimension;
-        if (n_nodes == 1 || begins("MASS") || begins("ROTARY"))
-          return Use::ignored;
-        if (kind.dim == 2)
-        {
-          if (n_nodes == 2)
-            return Use::face;
-          if (is_line)
-            return Use::ignored;
-          return n_nodes == 4 ? Use::cell : Use::unusable;
-        }
-        if (n_nodes == 8 && (is_solid || type.empty()))
-          return Use::cell;
-        if (is_solid)
-          return Use::unusable;
-        if (n_nodes == 4)
-          return Use::face;
-        return is_line || n_nodes <= 3 ? Use::ignored : Use::unusable;
+        if (n_nodes == 2 || is_line)
+          return shape_of_nodes(1, std::min<std::size_t>(n_nodes, 3));
+        return shape_of_nodes(2, n_nodes);
       }
 
 
 
       std::string
-      what_it_is(const std::string &type,
-                 const std::size_t  n_nodes,
-                 const std::string &line)
+      type_in_words(const std::string &type,
+                    const std::size_t  n_nodes,
+                    const std::string &line)
       {
-        const bool  is_solid = starts_with(type, "C3D");
-        std::string what =
-          n_nodes == 3 ? "triangles"
-          : n_nodes == 4 && is_solid
-            ? "tetrahedra"
-            : "elements of " + std::to_string(n_nodes) + " nodes";
+        std::string what = "elements of " + std::to_string(n_nodes) + " nodes";
         if (!type.empty())
           what += " (type " + type + ")";
         return what + " in the line " + in_quotes(line);
@@ -162,15 +134,23 @@ namespace MixedCracks
       const std::vector<double> node = numbers_of(without_commas(line));
       if (node.size() < 1u + kind.dim || !(node[0] >= 0. && node[0] < 1e9))
         return broken_line("node", line);
+      if (node.size() > 4)
+        return "has a node with " + std::to_string(node.size()) +
+               " numbers: " + in_quotes(line) +
+               "; a number and x, y, z are read (decimal commas?)";
       const long int   number = std::lround(node[0]);
       dealii::Point<3> position;
       for (unsigned int d = 0; d < 3 && d + 1 < node.size(); ++d)
         position[d] = node[d + 1];
-      if (!contents.add_node(number, position))
+      if (in_instance && !instances.empty())
+        position = instances.back().place(position);
+      if (!contents.add_node(number + scope.base, position))
         return "lists a node twice: " + in_quotes(line);
+      body_of_node.push_back(scope.base);
       if (const auto set = keyword.options.find("NSET");
           set != keyword.options.end())
-        node_sets[upper_case(set->second)].add(set->second, number);
+        node_sets[upper_case(scope.prefix + set->second)].add(
+          scope.prefix + set->second, number + scope.base);
       return "";
     }
 
@@ -181,34 +161,40 @@ namespace MixedCracks
     {
       if (in_assembly && !in_instance)
         return "";
-      const std::vector<long int> entry = integers_of(without_commas(line));
+      std::vector<long int> entry = integers_of(without_commas(line));
       if (entry.size() < 2)
         return broken_line("element", line);
-      const std::string type    = upper_case(keyword.value("TYPE"));
-      const std::size_t n_nodes = entry.size() - 1;
-      const Use         use     = use_of(type, n_nodes, kind);
-      if (use == Use::other_dimension)
+      const std::string   type    = upper_case(keyword.value("TYPE"));
+      const std::size_t   n_nodes = entry.size() - 1;
+      const ElementShape *shape   = shape_of(type, n_nodes, kind.dim);
+      if (kind.dim == 2 && starts_with(type, "C3D"))
         return other_dimension("elements " + type, kind);
-      if (use == Use::unusable)
-        return unusable_element(what_it_is(type, n_nodes, line), kind);
-      const auto nodes = contents.indices_of(entry.begin() + 1, entry.end());
-      if (nodes.size() != n_nodes && use != Use::ignored)
-        return unlisted_node(line);
-      AbaqusElement     element;
-      const std::string set = keyword.value("ELSET");
-      if (use == Use::cell)
-      {
-        element.cell        = static_cast<long int>(contents.cells.size());
-        const bool is_block = starts_with(upper_case(set), "EB");
-        contents.cells.push_back(
-          {entry[0], nodes, is_block ? trailing_number(set, 0) : 0});
-      }
-      else if (use == Use::face)
-        element.face = nodes;
-      if (!elements.emplace(entry[0], element).second)
+      if (shape == nullptr)
+        return unusable_element(type_in_words(type, n_nodes, line), kind);
+      // of a line the second of three nodes is that in the middle
+      if (shape->dim == 1 && n_nodes == 3)
+        std::swap(entry[2], entry[3]);
+      for (std::size_t i = 1; i < entry.size(); ++i)
+        entry[i] += scope.base;
+      const std::string set      = keyword.value("ELSET");
+      const bool        is_block = starts_with(upper_case(set), "EB");
+      const Element     listed{
+        entry[0], *shape, is_block ? trailing_number(set, 0) : 0, {}};
+      const std::string problem = MeshScanning::add_element(
+        listed, entry.begin() + 1, line, kind, contents);
+      if (!problem.empty())
+        return problem;
+      AbaqusElement element;
+      if (shape->dim == kind.dim)
+        element.cell = static_cast<long int>(contents.cells.size()) - 1;
+      else if (shape->dim == kind.dim - 1)
+        element.face = contents.indices_of(
+          entry.begin() + 1, entry.begin() + 1 + shape->n_corners);
+      if (!elements.emplace(entry[0] + scope.base, element).second)
         return "lists an element twice: " + in_quotes(line);
       if (!set.empty())
-        element_sets[upper_case(set)].add(set, entry[0]);
+        element_sets[upper_case(scope.prefix + set)].add(scope.prefix + set,
+                                                         entry[0] + scope.base);
       return "";
     }
 
@@ -223,8 +209,11 @@ namespace MixedCracks
       const std::string name = keyword.value(option);
       if (name.empty())
         return "has a *" + option + " without a name (" + option + "=...)";
-      AbaqusSet &set = sets[upper_case(name)];
-      set.name       = name;
+      const AbaqusScope at  = keyword.options.count("INSTANCE") > 0
+                                ? scope_of(keyword.value("INSTANCE"))
+                                : scope;
+      AbaqusSet        &set = sets[upper_case(scope.prefix + name)];
+      set.name              = scope.prefix + name;
       if (in_assembly && !in_instance && option == "NSET" &&
           keyword.options.count("INSTANCE") == 0)
         return ""; // of reference points
@@ -236,19 +225,17 @@ namespace MixedCracks
             range[1] < range[0] || (range[1] - range[0]) / step > 10000000)
           return broken_line("range in a *" + option, line);
         for (long int number = range[0]; number <= range[1]; number += step)
-          set.members.push_back(number);
+          set.members.push_back(number + at.base);
         return "";
       }
       for (const std::string &item : split_list(line, ','))
         if (const std::vector<long int> number = integers_of(item);
             number.size() == 1)
-          set.members.push_back(number[0]);
-        else if (const auto other = sets.find(upper_case(item));
-                 number.empty() && other != sets.end() &&
-                 &other->second != &set)
-          set.members.insert(set.members.end(),
-                             other->second.members.begin(),
-                             other->second.members.end());
+          set.members.push_back(number[0] + at.base);
+        else if (const AbaqusSet *other = find_set(sets, at, item);
+                 number.empty() && other != nullptr && other != &set)
+          set.members.insert(
+            set.members.end(), other->members.begin(), other->members.end());
         else
           return broken_line("*" + option, line);
       return "";
@@ -269,7 +256,8 @@ namespace MixedCracks
         return broken_line("line of a *SURFACE", line);
       if (upper_case(keyword.value("TYPE")) == "NODE")
       {
-        surfaces.push_back({name, parts.front(), -1, line});
+        surfaces.push_back(
+          {scope, scope.prefix + name, parts.front(), -1, line});
         return "";
       }
       const char letter = parts.size() == 2 && parts[1].size() == 2
@@ -277,22 +265,10 @@ namespace MixedCracks
                                 static_cast<unsigned char>(parts[1][0])))
                             : ' ';
       if ((letter != 'S' && !(letter == 'E' && kind.dim == 2)) ||
-          parts[1][1] < '1' || parts[1][1] > kind.last_side)
+          parts[1][1] < '1' || parts[1][1] > '6')
         return broken_line("side in a *SURFACE", line);
-      surfaces.push_back({name, parts.front(), parts[1][1] - '1', line});
-      return "";
-    }
-
-
-
-    std::string
-    AbaqusReader::move_instance(const std::string &line)
-    {
-      for (const double number : numbers_of(without_commas(line)))
-        if (number != 0.)
-          return "moves or turns its instance " +
-                 in_quotes(keyword.value("NAME")) + " (" + in_quotes(line) +
-                 "); only nodes that stand where they belong are read";
+      surfaces.push_back(
+        {scope, scope.prefix + name, parts.front(), parts[1][1] - '1', line});
       return "";
     }
 
@@ -318,25 +294,17 @@ namespace MixedCracks
       else if (keyword.word == "*END ASSEMBLY")
         in_assembly = false;
       else if (keyword.word == "*END INSTANCE")
-        in_instance = false;
-      else if (keyword.word == "*INSTANCE" || keyword.word == "*PART")
-      {
-        const bool                is_part = keyword.word == "*PART";
-        std::vector<std::string> &names   = is_part ? parts : instances;
-        names.push_back(keyword.value("NAME"));
-        in_instance = !is_part;
-        if (names.size() > 1)
-          return std::string("has two ") + (is_part ? "parts" : "instances") +
-                 ", " + in_quotes(names[0]) + " and " + in_quotes(names[1]) +
-                 "; merge them into one body, or save one of them alone";
-      }
+        return end_instance();
+      else if (keyword.word == "*INSTANCE")
+        return begin_instance();
       else if (keyword.word.size() > 8 && keyword.options.count("ELSET") > 0 &&
                keyword.word.compare(keyword.word.size() - 7, 7, "SECTION") == 0)
       {
         const long int material =
           trailing_number(keyword.value("MATERIAL"), MeshContents::Group::none);
         if (material != MeshContents::Group::none)
-          sections.emplace_back(keyword.value("ELSET"), material);
+          sections.emplace_back(scope.prefix + keyword.value("ELSET"),
+                                material);
       }
       return "";
     }
@@ -357,8 +325,53 @@ namespace MixedCracks
         return add_to_set(line, "NSET", node_sets);
       if (word == "*SURFACE")
         return add_to_surface(line);
+      if (word == "*TIE")
+      {
+        const std::vector<std::string> pair = split_list(line, ',');
+        if (pair.size() < 2)
+          return broken_line("*TIE", line);
+        ties.emplace_back(pair[0], pair[1]);
+      }
       return word == "*INSTANCE" ? move_instance(line) : "";
     }
+
+
+
+    std::string
+    AbaqusReader::add(const std::string &line)
+    {
+      if (keep_for_part(line))
+        return "";
+      return line[0] == '*' ? begin(line) : add_line(line);
+    }
+
+
+
+    namespace
+    {
+      // Without comments; keywords and elements that go on in the next line
+      // after a comma are one
+      Lines
+      whole_lines(const Lines &lines)
+      {
+        Lines whole;
+        bool  in_elements = false;
+        for (std::size_t i = 0; i < lines.size(); ++i)
+        {
+          std::string line = lines[i];
+          if (starts_with(line, "**"))
+            continue;
+          if (line[0] == '*')
+            in_elements = starts_with(upper_case(line), "*ELEMENT");
+          if (line[0] == '*' || in_elements)
+            while (line.back() == ',' && i + 1 < lines.size() &&
+                   lines[i + 1][0] != '*')
+              line += " " + lines[++i];
+          whole.push_back(line);
+        }
+        return whole;
+      }
+    } // namespace
 
 
 
@@ -367,19 +380,14 @@ namespace MixedCracks
                 const CellKind &kind,
                 MeshContents   &contents)
     {
-      AbaqusReader reader(kind, contents);
-      for (std::size_t i = 0; i < lines.size(); ++i)
+      const Lines  whole       = whole_lines(lines);
+      unsigned int n_instances = 0;
+      for (const std::string &line : whole)
+        n_instances += starts_with(upper_case(line), "*INSTANCE");
+      AbaqusReader reader(kind, n_instances, contents);
+      for (const std::string &line : whole)
       {
-        std::string line = lines[i];
-        if (starts_with(line, "**"))
-          continue;
-        // a keyword goes on in the next line after a comma
-        if (line[0] == '*')
-          while (line.back() == ',' && i + 1 < lines.size() &&
-                 lines[i + 1][0] != '*')
-            line += " " + lines[++i];
-        const std::string problem =
-          line[0] == '*' ? reader.begin(line) : reader.add_line(line);
+        const std::string problem = reader.add(line);
         if (!problem.empty())
           return problem;
       }

@@ -2,10 +2,9 @@
 // What the names of an Abaqus file stand for, once all of it has been read: a
 // set may be used before it is listed.
 //
-// Sides of cells as Abaqus counts them: in 2-d S1 is from node 1 to 2, and so
-// on around; in 3-d S1 is 1-2-3-4, S2 5-8-7-6, S3 1-5-6-2, S4 2-6-7-3, S5
-// 3-7-8-4, S6 4-8-5-1. Only the set of nodes of a side matters here, not their
-// order around.
+// Sides of cells are counted from S1 in the order of sides_of(): in 2-d S1 is
+// from node 1 to 2, and so on around; S1 of solids is the face of the nodes
+// 1-2-3(-4).
 
 #include <base/text.h>
 
@@ -30,19 +29,11 @@ namespace MixedCracks
 
 
 
-      // "Part-1-1.Set-1" is Set-1 of that instance
-      std::string
-      label_of_set(const std::string &text)
-      {
-        return upper_case(text.substr(text.find_last_of('.') + 1));
-      }
-
-
-
       std::string
       unlisted_element(const std::string &where, const long int element)
       {
-        return "has a surface or set with element " + std::to_string(element) +
+        return "has a surface or set with element " +
+               std::to_string(element % MeshContents::numbers_per_body) +
                ", which it does not list (" + where + ")";
       }
     } // namespace
@@ -115,23 +106,17 @@ namespace MixedCracks
         return unlisted_element(in_quotes(surface.name), number);
       if (element->second.cell < 0)
         return "has a surface " + in_quotes(surface.name) + " with element " +
-               std::to_string(number) + ", which is none of the " + kind.name;
-      // Abaqus' sides of a hexahedron, by the places of its nodes
-      static constexpr unsigned int sides[6][4] = {{0, 1, 2, 3},
-                                                   {4, 5, 6, 7},
-                                                   {0, 1, 5, 4},
-                                                   {1, 2, 6, 5},
-                                                   {2, 3, 7, 6},
-                                                   {3, 0, 4, 7}};
-      const auto                   &nodes =
+               std::to_string(number % MeshContents::numbers_per_body) +
+               ", which is none of the " + kind.name;
+      const auto &nodes =
         contents.cells[static_cast<std::size_t>(element->second.cell)].nodes;
-      const unsigned int side = static_cast<unsigned int>(surface.side);
+      const auto       &sides = sides_of(kind.dim, nodes.size());
+      const std::size_t side  = static_cast<std::size_t>(surface.side);
+      if (side >= sides.size())
+        return broken_line("side in a *SURFACE", surface.line);
       MeshContents::Face face{{}, group};
-      if (kind.dim == 2)
-        face.nodes = {nodes[side], nodes[(side + 1) % 4]};
-      else
-        for (const unsigned int place : sides[side])
-          face.nodes.push_back(nodes[place]);
+      for (const unsigned int place : sides[side])
+        face.nodes.push_back(nodes[place]);
       contents.faces.push_back(face);
       return "";
     }
@@ -144,13 +129,15 @@ namespace MixedCracks
       const bool            of_nodes = surface.side < 0;
       const auto           &sets     = of_nodes ? node_sets : element_sets;
       std::vector<long int> members  = integers_of(surface.what);
+      for (long int &member : members)
+        member += surface.scope.base;
       if (members.empty())
       {
-        const auto set = sets.find(label_of_set(surface.what));
-        if (set == sets.end())
+        const AbaqusSet *set = find_set(sets, surface.scope, surface.what);
+        if (set == nullptr)
           return "has a surface " + in_quotes(surface.name) +
                  " of a set that it does not list: " + in_quotes(surface.line);
-        members = set->second.members;
+        members = set->members;
       }
       const unsigned int group =
         contents.group(surface_number(surface.name), surface.name);
@@ -174,6 +161,15 @@ namespace MixedCracks
     std::string
     AbaqusReader::finish()
     {
+      if (parts.size() > 1 && instances.empty())
+        return "has " + std::to_string(parts.size()) +
+               " parts and no *INSTANCE that says where they stand";
+      if (parts.size() == 1 && instances.empty())
+      {
+        const std::string problem = place_part(parts.begin()->first);
+        if (!problem.empty())
+          return problem;
+      }
       if (contents.nodes.empty() || elements.empty())
         return "is an Abaqus file without " +
                std::string(contents.nodes.empty() ? "*NODE" : "*ELEMENT") +
@@ -183,9 +179,7 @@ namespace MixedCracks
         bool has_faces = false;
         for (const auto &element : elements)
           has_faces = has_faces || !element.second.face.empty();
-        const std::string nothing = "no " + kind.name;
-        return kind.dim == 3 && has_faces ? other_dimension(nothing, kind)
-                                          : unusable_element(nothing, kind);
+        return no_cells(has_faces, kind);
       }
       add_materials();
       std::string problem = add_element_groups();
@@ -194,7 +188,7 @@ namespace MixedCracks
       for (const AbaqusSurfaceLine &surface : surfaces)
         if (problem.empty())
           problem = add_surface(surface);
-      return problem;
+      return problem.empty() ? join_bodies() : problem;
     }
   } // namespace MeshScanning
 } // namespace MixedCracks

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Gmsh's .msh, ASCII, versions 2.x, 4.0 and 4.1 (Gmsh manual, "MSH file
-// format"). Sections "$Name ... $EndName" in any order; used are
+// Gmsh's .msh, versions 2.x, 4.0 and 4.1 (Gmsh manual, "MSH file
+// format"), as lines of text. Sections "$Name ... $EndName" in any order; used
+// are
 //
 //   $MeshFormat      version, 0 for ASCII
 //   $PhysicalNames   (dimension, number) -> name
@@ -228,8 +229,6 @@ namespace MixedCracks
           (head[0] >= 3. && head[0] < 4.))
         return "has Gmsh's format " + in_quotes(section.front()) +
                "; versions 2, 4.0 and 4.1 are read";
-      if (head[1] != 0.)
-        return "is a binary Gmsh file; save it as ASCII";
       const double version = head[0];
 
       GmshNames    names;

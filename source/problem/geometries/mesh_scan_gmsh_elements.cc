@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // $Elements of Gmsh. Elements of the dimension of the mesh are cells, their
 // physical group is the material id (0 without one); those of one dimension
-// less mark boundaries by theirs; points, and in 3-d lines, are skipped. Any
-// other kind ends the reading: triangles and elements of higher order would
-// leave a hole.
+// less mark boundaries by theirs; points, and in 3-d lines, are skipped.
+// Elements of second order count by their corners; those of higher order end
+// the reading.
 
 #include <base/text.h>
 
@@ -15,77 +15,20 @@ namespace MixedCracks
   {
     namespace
     {
-      // Numbers of Gmsh's manual, "MSH file format"
-      enum GmshType : long int
+      // Null with a problem for what has more than two nodes at an edge, and
+      // what is no cell of these dimensions
+      const ElementShape *
+      find_shape(const long int     type,
+                 const std::string &line,
+                 std::string       &problem)
       {
-        line_type          = 1,
-        triangle_type      = 2,
-        quadrilateral_type = 3,
-        hexahedron_type    = 5,
-        point_type         = 15
-      };
-
-
-
-      // Nodes of those elements that are cells or mark boundaries, by type
-      unsigned int
-      n_nodes_of(const long int type)
-      {
-        switch (type)
-        {
-          case line_type:
-            return 2;
-          case quadrilateral_type:
-            return 4;
-          case hexahedron_type:
-            return 8;
-          default:
-            return 1;
-        }
-      }
-
-
-
-      std::string
-      name_of_type(const long int type)
-      {
-        static const std::map<long int, std::string> names = {
-          {triangle_type, "triangles"},
-          {4, "tetrahedra"},
-          {hexahedron_type, "hexahedra"},
-          {6, "prisms"},
-          {7, "pyramids"},
-          {8, "three-node lines"},
-          {9, "six-node triangles"},
-          {10, "nine-node quadrilaterals"},
-          {11, "ten-node tetrahedra"},
-          {12, "27-node hexahedra"},
-          {16, "eight-node quadrilaterals"},
-          {17, "20-node hexahedra"}};
-        const std::string number = "Gmsh's type " + std::to_string(type);
-        const auto        known  = names.find(type);
-        if (known == names.end())
-          return "elements of " + number;
-        return known->second + (type > 7 ? " (" + number + ")" : "");
-      }
-
-
-
-      // What is wrong with a Gmsh element type; empty for the cells of the
-      // dimension and for what marks boundaries
-      std::string
-      type_problem(const long int     type,
-                   const std::string &line,
-                   const CellKind    &kind)
-      {
-        if (type == line_type || type == quadrilateral_type ||
-            type == point_type || type == kind.gmsh_type)
-          return "";
-        const std::string found =
-          name_of_type(type) + " (in the line " + in_quotes(line) + ")";
-        const bool is_solid = type >= 4 && type <= 7;
-        return kind.dim == 2 && is_solid ? other_dimension(found, kind)
-                                         : unusable_element(found, kind);
+        const ElementShape *shape = shape_of_gmsh(type);
+        if (shape == nullptr)
+          problem = "has elements of Gmsh's type " + std::to_string(type) +
+                    " (in the line " + in_quotes(line) +
+                    "); elements of first and second order are read "
+                    "(Mesh.ElementOrder = 1)";
+        return shape;
       }
 
 
@@ -97,7 +40,7 @@ namespace MixedCracks
         const GmshNames    &names;
         const CellKind     &kind;
         MeshContents       &contents;
-        std::size_t         n_quadrilaterals = 0;
+        bool                has_faces = false;
 
         std::string
         name_of(const long int dim, const long int number) const
@@ -112,28 +55,28 @@ namespace MixedCracks
         std::string
         add(const std::vector<long int> &entry,
             const std::size_t            first_node,
-            const long int               type,
+            const ElementShape          &shape,
             const std::vector<long int> &groups,
             const std::string           &line)
         {
-          const auto nodes = contents.indices_of(
-            entry.begin() + static_cast<std::ptrdiff_t>(first_node),
-            entry.end());
-          if (nodes.size() != n_nodes_of(type))
-            return unlisted_node(line);
-          n_quadrilaterals += type == quadrilateral_type;
-          if (type == kind.gmsh_type)
+          Element element{entry[0], shape, 0, {}};
+          if (shape.dim == kind.dim && groups.size() > 1)
+            return two_materials(groups, line);
+          if (shape.dim == kind.dim && !groups.empty())
+            element.material = groups[0];
+          if (shape.dim == kind.dim - 1)
           {
-            if (groups.size() > 1)
-              return two_materials(groups, line);
-            contents.cells.push_back(
-              {entry[0], nodes, groups.empty() ? 0 : groups[0]});
-          }
-          else if (nodes.size() == kind.n_face_nodes)
+            has_faces = true;
             for (const long int group : groups)
-              contents.faces.push_back(
-                {nodes, contents.group(group, name_of(kind.dim - 1, group))});
-          return "";
+              element.groups.push_back(
+                contents.group(group, name_of(shape.dim, group)));
+          }
+          return add_element(element,
+                             entry.begin() +
+                               static_cast<std::ptrdiff_t>(first_node),
+                             line,
+                             kind,
+                             contents);
         }
 
 
@@ -167,19 +110,20 @@ namespace MixedCracks
             const std::vector<long int> entry = integers_of(section[i]);
             if (entry.size() < 4)
               return broken_line("element", section[i]);
-            const long int type    = entry[1];
-            std::string    problem = type_problem(type, section[i], kind);
-            if (!problem.empty())
+            std::string         problem;
+            const ElementShape *shape =
+              find_shape(entry[1], section[i], problem);
+            if (shape == nullptr)
               return problem;
             if (static_cast<long int>(entry.size()) !=
-                3 + entry[2] + n_nodes_of(type))
+                3 + entry[2] + shape->n_nodes)
               return broken_line("element", section[i]);
             std::vector<long int> groups;
             if (entry[2] > 0 && entry[3] > 0)
               groups.push_back(entry[3]);
             problem = add(entry,
                           3 + static_cast<std::size_t>(entry[2]),
-                          type,
+                          *shape,
                           groups,
                           section[i]);
             if (!problem.empty())
@@ -203,9 +147,10 @@ namespace MixedCracks
             if (block.size() != 4 ||
                 block[3] > static_cast<long int>(section.size() - i - 1))
               return broken_line("block of elements", section[i]);
-            const long int type    = block[2];
-            std::string    problem = type_problem(type, section[i], kind);
-            if (!problem.empty())
+            std::string         problem;
+            const ElementShape *shape =
+              find_shape(block[2], section[i], problem);
+            if (shape == nullptr)
               return problem;
             const auto entity =
               entities.find({block[is_4_1 ? 0 : 1], block[is_4_1 ? 1 : 0]});
@@ -217,9 +162,9 @@ namespace MixedCracks
             {
               const std::string          &line  = section[i + e];
               const std::vector<long int> entry = integers_of(line);
-              if (entry.size() != 1 + n_nodes_of(type))
+              if (entry.size() != 1 + shape->n_nodes)
                 return broken_line("element", line);
-              problem = add(entry, 1, type, groups, line);
+              problem = add(entry, 1, *shape, groups, line);
               if (!problem.empty())
                 return problem;
             }
@@ -244,12 +189,9 @@ namespace MixedCracks
       const std::string problem = version >= 4.
                                     ? reader.read_4(section, version > 4.05)
                                     : reader.read_2(section);
-      if (!problem.empty() || !contents.cells.empty())
-        return problem;
-      const std::string nothing = "no " + kind.name;
-      return kind.dim == 3 && reader.n_quadrilaterals > 0
-               ? other_dimension(nothing, kind)
-               : unusable_element(nothing, kind);
+      return !problem.empty() || !contents.cells.empty()
+               ? problem
+               : no_cells(reader.has_faces, kind);
     }
   } // namespace MeshScanning
 } // namespace MixedCracks

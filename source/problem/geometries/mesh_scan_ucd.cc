@@ -30,38 +30,30 @@ namespace MixedCracks
 
 
 
-      // counts the cells of other kinds by type
       std::string
-      add_cell(const std::string          &line,
-               const CellKind             &kind,
-               MeshContents               &contents,
-               std::map<std::string, int> &n_cells)
+      add_cell(const std::string &line,
+               const CellKind    &kind,
+               MeshContents      &contents,
+               bool              &has_faces)
       {
-        const std::map<std::string, unsigned int> n_nodes = {
-          {"line", 2}, {"quad", 4}, {"hex", 8}};
         std::istringstream in(line);
         long int           number, material;
         std::string        type, rest;
         if (!(in >> number >> material >> type) || material < 0 ||
             material > 2147483647)
           return broken_line("cell", line);
-        if (type == "hex" && kind.dim == 2)
-          return other_dimension("hexahedra", kind);
-        if (n_nodes.count(type) == 0)
+        const ElementShape *shape = shape_of_ucd(type);
+        if (shape == nullptr)
           return unusable_element("cells of the type " + in_quotes(type), kind);
         std::getline(in, rest);
         const std::vector<long int> numbers = integers_of(rest);
-        if (numbers.size() != n_nodes.at(type))
+        if (numbers.size() != shape->n_nodes)
           return broken_line("cell", line);
-        const auto nodes = contents.indices_of(numbers.begin(), numbers.end());
-        if (nodes.size() != numbers.size())
-          return unlisted_node(line);
-        ++n_cells[type];
-        if (type == kind.ucd_type)
-          contents.cells.push_back({number, nodes, material});
-        else if (nodes.size() == kind.n_face_nodes && material > 0)
-          contents.faces.push_back({nodes, contents.group(material, "")});
-        return "";
+        Element element{number, *shape, material, {}};
+        if (shape->dim == kind.dim - 1 && material > 0)
+          element.groups.push_back(contents.group(material, ""));
+        has_faces = has_faces || shape->dim == kind.dim - 1;
+        return add_element(element, numbers.begin(), line, kind, contents);
       }
     } // namespace
 
@@ -76,22 +68,18 @@ namespace MixedCracks
         return "says it has " + in_quotes(lines.front()) +
                " (nodes, cells, ...) but lists " +
                std::to_string(lines.size() - 1) + " lines";
-      const std::size_t          n_nodes = static_cast<std::size_t>(head[0]);
-      const std::size_t          n_cells = static_cast<std::size_t>(head[1]);
-      std::map<std::string, int> n_by_type;
+      const std::size_t n_nodes   = static_cast<std::size_t>(head[0]);
+      const std::size_t n_cells   = static_cast<std::size_t>(head[1]);
+      bool              has_faces = false;
       for (std::size_t i = 1; i <= n_nodes + n_cells; ++i)
       {
         const std::string problem =
           i <= n_nodes ? add_node(lines[i], contents)
-                       : add_cell(lines[i], kind, contents, n_by_type);
+                       : add_cell(lines[i], kind, contents, has_faces);
         if (!problem.empty())
           return problem;
       }
-      if (!contents.cells.empty())
-        return "";
-      const std::string nothing = "no " + kind.name;
-      return n_by_type["quad"] > 0 ? other_dimension(nothing, kind)
-                                   : unusable_element(nothing, kind);
+      return contents.cells.empty() ? no_cells(has_faces, kind) : "";
     }
   } // namespace MeshScanning
 } // namespace MixedCracks

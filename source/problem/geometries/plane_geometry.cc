@@ -67,7 +67,7 @@ namespace MixedCracks
 
 
   template <int dim>
-  std::map<std::string, dealii::types::boundary_id>
+  NamedBoundaries
   PlaneGeometry<dim>::boundary_ids() const
   {
     auto       ids  = box_side_ids<dim>();

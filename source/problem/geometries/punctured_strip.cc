@@ -28,8 +28,9 @@ namespace MixedCracks
 {
   namespace
   {
-    constexpr dealii::types::boundary_id hole  = n_box_sides;
-    constexpr dealii::types::boundary_id notch = n_box_sides + 1;
+    constexpr dealii::types::boundary_id hole        = n_box_sides;
+    constexpr dealii::types::boundary_id notch_lower = n_box_sides + 1;
+    constexpr dealii::types::boundary_id notch_upper = n_box_sides + 2;
 
     const std::string strip_path = "Geometry/Punctured strip/";
   } // namespace
@@ -165,14 +166,18 @@ namespace MixedCracks
 
 
 
-  std::map<std::string, dealii::types::boundary_id>
+  NamedBoundaries
   PuncturedStrip::more_boundary_ids() const
   {
-    std::map<std::string, dealii::types::boundary_id> ids;
+    NamedBoundaries ids;
     if (measures.has_hole())
       ids["hole"] = hole;
     if (measures.has_notch())
-      ids["notch"] = notch;
+    {
+      ids["notch"]       = {notch_lower, notch_upper};
+      ids["notch lower"] = notch_lower;
+      ids["notch upper"] = notch_upper;
+    }
     return ids;
   }
 
@@ -238,8 +243,9 @@ namespace MixedCracks
         measures.has_notch() &&
         std::abs(center[1] - measures.notch_height) < tolerance &&
         center[0] < measures.notch_length;
-      return on_notch ? notch : hole;
+      return on_notch ? notch_lower : hole;
     });
+    split_slit(plane, notch_lower, notch_upper);
   }
 
 

@@ -117,7 +117,7 @@ namespace MixedCracks
 
 
   template <int dim>
-  std::map<std::string, dealii::types::boundary_id>
+  NamedBoundaries
   Rectangle<dim>::boundary_ids() const
   {
     return box_side_ids<dim>();

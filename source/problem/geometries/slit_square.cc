@@ -4,9 +4,9 @@
 //     |                     |
 //     |         slit tip    |      slit: y = b, 0 <= x < c. Vertices on it are
 //     |=========* (c, b)    | b    doubled, but for the tip: two faces at one
-// left|                     |      place, both with the id "slit". phi = 0 on
-//     |                     |      them, unless Initial cracks/Broken slits is
-//     +---------------------+ 0    false
+// left|                     |      place, "slit lower" and "slit upper",
+//     |                     |      together "slit". phi = 0 on them, unless
+//     +---------------------+ 0    Initial cracks/Broken slits is false
 //              bottom
 //
 // The single-edge-notched specimen of [Miehe10b] by default, a = 1 mm, b = c =
@@ -26,7 +26,8 @@ namespace MixedCracks
 {
   namespace
   {
-    constexpr dealii::types::boundary_id slit = n_box_sides;
+    constexpr dealii::types::boundary_id slit_lower = n_box_sides;
+    constexpr dealii::types::boundary_id slit_upper = n_box_sides + 1;
   } // namespace
 
 
@@ -108,10 +109,12 @@ namespace MixedCracks
 
 
 
-  std::map<std::string, dealii::types::boundary_id>
+  NamedBoundaries
   SlitSquare::more_boundary_ids() const
   {
-    return {{"slit", slit}};
+    return {{"slit", {slit_lower, slit_upper}},
+            {"slit lower", slit_lower},
+            {"slit upper", slit_upper}};
   }
 
 
@@ -136,8 +139,9 @@ namespace MixedCracks
 
     set_boundary_ids_by_center(plane, [this](const dealii::Point<2> &center) {
       const auto side = box_side_at(center, size, size);
-      return side ? dealii::types::boundary_id(*side) : slit;
+      return side ? dealii::types::boundary_id(*side) : slit_lower;
     });
+    split_slit(plane, slit_lower, slit_upper);
   }
 
 

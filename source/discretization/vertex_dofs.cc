@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// The dofs of a vertex at a given point x: those of the vertices v with
+//
+//   |x_v - x| < 1e-6 diameter of the cell.
+//
+// A hanging vertex is none of them: its value follows from its neighbours.
+
+#include <base/errors.h>
+
+#include <deal.II/base/mpi.h>
+
+#include <discretization/nearest_vertex.h>
+#include <discretization/vertex_dofs.h>
+
+#include <algorithm>
+#include <sstream>
+
+namespace MixedCracks
+{
+  using namespace dealii;
+
+  namespace
+  {
+    // Of one component at vertex v; the dofs of the vertices come first.
+    template <int dim>
+    void
+    add_dofs_of_vertex(const FiniteElement<dim>        &element,
+                       const unsigned int               v,
+                       const unsigned int               component,
+                       const VertexDofs                &indices,
+                       const AffineConstraints<double> &constraints,
+                       VertexDofs                      &found)
+    {
+      const unsigned int n = element.n_dofs_per_vertex();
+      for (unsigned int local = v * n; local < (v + 1) * n; ++local)
+        if (element.system_to_component_index(local).first == component &&
+            !constraints.is_constrained(indices[local]))
+          found.push_back(indices[local]);
+    }
+  } // namespace
+
+
+
+  template <int dim>
+  std::vector<VertexDofs>
+  dofs_at_vertices(const DoFHandler<dim>                   &dofs,
+                   const AffineConstraints<double>         &constraints,
+                   const std::vector<VertexComponent<dim>> &places,
+                   const std::string                       &entry)
+  {
+    std::vector<VertexDofs>   result(places.size());
+    const FiniteElement<dim> &element = dofs.get_fe();
+    VertexDofs                indices(element.n_dofs_per_cell());
+    for (const auto &cell : dofs.active_cell_iterators())
+      if (!cell->is_artificial())
+        for (std::size_t i = 0; i < places.size(); ++i)
+          for (const unsigned int v : cell->vertex_indices())
+            if (cell->vertex(v).distance(places[i].point) <
+                1e-6 * cell->diameter())
+            {
+              cell->get_dof_indices(indices);
+              add_dofs_of_vertex(element,
+                                 v,
+                                 places[i].component,
+                                 indices,
+                                 constraints,
+                                 result[i]);
+            }
+    std::vector<int> found;
+    for (VertexDofs &here : result)
+    {
+      std::sort(here.begin(), here.end());
+      here.erase(std::unique(here.begin(), here.end()), here.end());
+      found.push_back(here.empty() ? 0 : 1);
+    }
+    Utilities::MPI::max(found, dofs.get_communicator(), found);
+    for (std::size_t i = 0; i < places.size(); ++i)
+      if (found[i] == 0 && !places[i].may_hang)
+      {
+        std::ostringstream message;
+        message << entry << ": found '" << places[i].point
+                << "', where the mesh has no vertex (or a hanging node). "
+                   "Allowed are the vertices of its cells; the nearest is "
+                << in_words(
+                     nearest_vertex(dofs.get_triangulation(), places[i].point))
+                << ".";
+        throw InputError(message.str());
+      }
+    return result;
+  }
+
+
+
+  template std::vector<VertexDofs>
+  dofs_at_vertices(const DoFHandler<2> &,
+                   const AffineConstraints<double> &,
+                   const std::vector<VertexComponent<2>> &,
+                   const std::string &);
+  template std::vector<VertexDofs>
+  dofs_at_vertices(const DoFHandler<3> &,
+                   const AffineConstraints<double> &,
+                   const std::vector<VertexComponent<3>> &,
+                   const std::string &);
+} // namespace MixedCracks
