@@ -45,6 +45,26 @@ namespace
   const std::string ucd =
     "6 3 0 0 0\n" + grid + "1 5 quad 1 2 5 4\n2 5 quad 2 3 6 5\n3 1 line 1 4\n";
 
+  const std::string vtk =
+    "# vtk DataFile Version 2.0\nsquares\nASCII\nDATASET UNSTRUCTURED_GRID\n"
+    "POINTS 6 float\n0 0 0\n1 0 0\n2 0 0\n0 1 0\n1 1 0\n2 1 0\nCELLS 3 13\n"
+    "4 0 1 4 3\n4 1 2 5 4\n2 0 3\nCELL_TYPES 3\n9\n9\n3\nCELL_DATA 3\n"
+    "SCALARS material int 1\nLOOKUP_TABLE default\n5\n5\n1\n";
+
+  const std::string triangles =
+    "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$Nodes\n6\n" + grid +
+    "$EndNodes\n$Elements\n4\n1 1 2 1 1 1 4\n2 2 2 7 1 1 2 4\n"
+    "3 2 2 7 1 2 5 4\n4 3 2 7 1 2 3 6 5\n$EndElements\n";
+
+  // two blocks of one part, one beside the other and tied
+  const std::string parts =
+    "*PART, NAME=P\n*NODE\n1, 0, 0\n2, 1, 0\n3, 1, 1\n4, 0, 1\n"
+    "*ELEMENT, TYPE=CPS4, ELSET=all\n1, 1, 2, 3, 4\n*SURFACE, NAME=r\nall, S2\n"
+    "*SURFACE, NAME=l\nall, S4\n*END PART\n*ASSEMBLY, NAME=A\n"
+    "*INSTANCE, NAME=a, PART=P\n*END INSTANCE\n*INSTANCE, NAME=b, PART=P\n"
+    "1, 0, 0\n0, 0, 0, 0, 0, 1, 0\n*END INSTANCE\n*END ASSEMBLY\n"
+    "*TIE, NAME=t\nb.l, a.r\n";
+
   class Mutator
   {
   public:
@@ -128,7 +148,7 @@ namespace
   bool
   try_to_read(const std::string &text, const std::string &key)
   {
-    const MeshScan             scan = scan_mesh(text, dim);
+    const MeshScan             scan = scan_mesh(text, dim, true);
     dealii::Triangulation<dim> triangulation;
     MeshBuilder<dim>           builder(scan.contents);
     FileBoundaries             boundaries;
@@ -186,6 +206,9 @@ TEST(MeshFileMutations, AreReadOrRefused)
   mutate<2>("Gmsh 4.1", gmsh4, "1");
   mutate<2>("Abaqus", abaqus, "Top");
   mutate<2>("UCD", ucd, "1");
+  mutate<2>("VTK", vtk, "1");
+  mutate<2>("triangles", triangles, "1");
+  mutate<2>("parts", parts, "b.r");
 }
 
 
