@@ -9,6 +9,7 @@
 #include <problem/geometries/mesh_contents.h>
 
 #include <map>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -75,6 +76,12 @@ namespace MixedCracks
     void        collect_groups();
 
     std::string node_list(const Face &face) const;
+
+    // The end of set_boundary_ids(): names of faces that are in no group
+    std::string
+    name_the_rest(const std::vector<BoundaryName>            &names,
+                  const std::set<dealii::types::boundary_id> &without_name,
+                  FileBoundaries                             &boundaries) const;
 
     // Like set_boundary_ids(): groups with names have no faces elsewhere
     std::string

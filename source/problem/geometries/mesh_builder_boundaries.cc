@@ -228,6 +228,28 @@ namespace MixedCracks
 
 
 
+  // '0 = sides' names the faces that are in no group.
+  template <int dim>
+  std::string
+  MeshBuilder<dim>::name_the_rest(
+    const std::vector<BoundaryName>            &names,
+    const std::set<dealii::types::boundary_id> &without_name,
+    FileBoundaries                             &boundaries) const
+  {
+    for (const BoundaryName &name : names)
+      if (boundaries.ids.count(name.name) == 0)
+      {
+        if (without_name.count(name.id) == 0)
+          return "the boundary id " + name.key + " (" + name.name +
+                 ") is not in the file, which has " + known_boundaries();
+        boundaries.ids[name.name].insert(name.id);
+        boundaries.names[name.id] = name.name;
+      }
+    return "";
+  }
+
+
+
   template <int dim>
   std::string
   MeshBuilder<dim>::set_boundary_ids(const std::vector<BoundaryName> &names,
@@ -244,11 +266,7 @@ namespace MixedCracks
     const auto names_at = names_of_faces(names_of_groups(names, name_of_group));
     const auto ids      = ids_of_names(names_at, names);
     boundaries          = boundaries_of(names_at, ids, names);
-    for (const BoundaryName &name : names)
-      if (boundaries.ids.count(name.name) == 0)
-        return "the boundary id " + name.key + " (" + name.name +
-               ") is not in the file, which has " + known_boundaries();
-
+    std::set<dealii::types::boundary_id> without_name;
     for (const auto &cell : triangulation.active_cell_iterators())
       for (const auto &face : cell->face_iterators())
       {
@@ -259,13 +277,18 @@ namespace MixedCracks
           nodes.push_back(node_of_vertex[face->vertex_index(v)]);
         std::sort(nodes.begin(), nodes.end());
         const auto known = names_at.find(nodes);
+        if (known != names_at.end() && !known->second.empty())
+        {
+          face->set_boundary_id(ids.at(known->second));
+          continue;
+        }
         face->set_boundary_id(
-          known == names_at.end() ? 0
-          : known->second.empty()
-            ? id_without_name(groups_at.at(nodes), contents.groups)
-            : ids.at(known->second));
+          known == names_at.end()
+            ? 0
+            : id_without_name(groups_at.at(nodes), contents.groups));
+        without_name.insert(face->boundary_id());
       }
-    return "";
+    return name_the_rest(names, without_name, boundaries);
   }
 
 
