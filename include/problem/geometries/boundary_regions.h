@@ -42,6 +42,8 @@ namespace MixedCracks
     /// is missed.
     std::unique_ptr<Geometry<dim>> coarser(double factor) const override;
 
+    std::string about_mesh() const override;
+
     std::string hint_about_boundaries() const override;
 
     std::map<std::string, FlatPiece<dim>> named_places() const override;

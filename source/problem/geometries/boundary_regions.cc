@@ -254,6 +254,15 @@ namespace MixedCracks
 
   template <int dim>
   std::string
+  GeometryWithRegions<dim>::about_mesh() const
+  {
+    return geometry->about_mesh();
+  }
+
+
+
+  template <int dim>
+  std::string
   GeometryWithRegions<dim>::hint_about_boundaries() const
   {
     return geometry->hint_about_boundaries();
