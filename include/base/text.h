@@ -3,6 +3,7 @@
 #define mixed_cracks_base_text_h
 
 #include <cctype>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -43,6 +44,9 @@ namespace MixedCracks
   /// One finite number and nothing else. Throws InputError that names
   /// @p parameter and the text found.
   double parse_number(const std::string &text, const std::string &parameter);
+
+  /// The same, or nothing where parse_number() throws.
+  std::optional<double> number_in(const std::string &text);
 
   /// Numbers separated by commas; an empty text has none. Throws InputError
   /// that names @p parameter and the text found.

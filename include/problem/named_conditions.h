@@ -29,6 +29,9 @@ namespace MixedCracks
   std::vector<NamedCondition<dim>>
   parse_named_conditions(const std::string &text, const std::string &parameter);
 
+  /// Whether @p text begins as names do and numbers do not.
+  bool begins_as_name(const std::string &text);
+
   /// Of @p points, not empty, those at most three that are nearest to where a
   /// condition holds in the box around them or as far again around it; none
   /// when it seems to hold nowhere. Units: mm.

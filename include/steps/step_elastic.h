@@ -206,9 +206,6 @@ namespace MixedCracks
     /// These and the pressures that follow the boundary, in a state.
     LinearAlgebra::Vector loads_in(const State &state);
 
-    /// Set the pressures at @p time, of which @p part has come since @p from.
-    void set_pressures(double from, double time, double part);
-
     /// Take the forces of the pressures at @p elastic, which has ghosts, from
     /// `full_residual`; their size.
     double subtract_pressures(const LinearAlgebra::Vector &elastic);

@@ -86,6 +86,21 @@ namespace MixedCracks
 
 
 
+  std::optional<double>
+  number_in(const std::string &text)
+  {
+    try
+    {
+      return parse_number(text, "");
+    }
+    catch (const InputError &)
+    {
+      return {};
+    }
+  }
+
+
+
   std::vector<double>
   parse_numbers(const std::string &text, const std::string &parameter)
   {

@@ -24,19 +24,6 @@ namespace MixedCracks
 {
   namespace
   {
-    std::optional<double>
-    number_in_table(const std::string &text)
-    {
-      try
-      {
-        return parse_number(text, "");
-      }
-      catch (const InputError &)
-      {
-        return {};
-      }
-    }
-
     std::map<std::string, std::shared_ptr<const TimeTable>> &
     kept_tables()
     {
@@ -81,7 +68,7 @@ namespace MixedCracks
       "a point";
     std::vector<std::optional<double>> numbers;
     for (const std::string &field : split_list(line, ','))
-      numbers.push_back(number_in_table(field));
+      numbers.push_back(number_in(field));
     const bool is_of_names =
       std::none_of(numbers.begin(), numbers.end(), [](const auto &number) {
         return number.has_value();

@@ -4,6 +4,7 @@
 #include <base/text.h>
 
 #include <problem/boundary_entries.h>
+#include <problem/named_conditions.h>
 
 #include <algorithm>
 
@@ -55,16 +56,6 @@ namespace MixedCracks
 
 
 
-    // what a name of a point set does and a number does not
-    bool
-    begins_with_letter(const std::string &text)
-    {
-      return !text.empty() && !is_digit(text[0]) &&
-             std::string("+-.").find(text[0]) == std::string::npos;
-    }
-
-
-
     // a second value of one component on one boundary would be lost
     template <int dim>
     void
@@ -92,7 +83,7 @@ namespace MixedCracks
                 const bool                with_sets)
     {
       PointEntry<dim> at{{}, entry.component, entry.expression, ""};
-      if (with_sets && begins_with_letter(entry.boundary))
+      if (with_sets && begins_as_name(entry.boundary))
       {
         at.set = single_spaced(entry.boundary);
         return at;

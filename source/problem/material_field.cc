@@ -32,20 +32,6 @@ namespace MixedCracks
                          {"Poisson ratio", &Given::poisson_ratio},
                          {"Bulk modulus", &Given::bulk_modulus}};
 
-    // A plain number, or nothing.
-    std::optional<double>
-    number_in(const std::string &text)
-    {
-      try
-      {
-        return parse_number(text, "");
-      }
-      catch (const InputError &)
-      {
-        return {};
-      }
-    }
-
     bool
     uses_variables(const Expression &expression)
     {

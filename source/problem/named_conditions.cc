@@ -53,9 +53,7 @@ namespace MixedCracks
                         const std::string &parameter)
     {
       const bool is_usable =
-        !name.empty() && !is_digit(name[0]) &&
-        std::string("+-.").find(name[0]) == std::string::npos &&
-        name.find_first_of(",=\"") == std::string::npos;
+        begins_as_name(name) && name.find_first_of(",=\"") == std::string::npos;
       if (!is_usable)
         throw InputError(parameter + ": found the name " + in_quotes(name) +
                          " in " + in_quotes(item) +
@@ -124,6 +122,15 @@ namespace MixedCracks
       return text;
     }
   } // namespace
+
+
+
+  bool
+  begins_as_name(const std::string &text)
+  {
+    return !text.empty() && !is_digit(text[0]) &&
+           std::string("+-.").find(text[0]) == std::string::npos;
+  }
 
 
 

@@ -227,7 +227,7 @@ namespace MixedCracks
   ElasticStep<dim>::update_reaction(State &state)
   {
     external = external_forces(state.time, state.lagged_phase_field);
-    set_pressures(state.time, state.time, 1.);
+    follower.set_level(state.time, state.time, 1.);
     evaluate_residual(state);
     constraints.keep_prescribed(full_residual);
     state.reaction.reinit(fields.elastic_dofs.owned,

@@ -264,11 +264,12 @@ namespace MixedCracks
     }
     external = external_forces(accepted.time, trial.lagged_phase_field);
     const Vector target = external_forces(trial.time, trial.lagged_phase_field);
-    set_pressures(accepted.time, trial.time, 0.);
+    follower.set_level(accepted.time, trial.time, 0.);
     for (unsigned int i = 0; i < most_increments; ++i)
     {
-      Vector change(target);
-      change.add(-1., external);
+      Vector dead(target);
+      dead.add(-1., external);
+      Vector change(dead);
       change.add(1., pressures_to_come(trial.elastic));
       const Vector prescribed = prescribed_increment(trial);
       outcome.converged =
@@ -280,8 +281,6 @@ namespace MixedCracks
       outcome.converged = fraction == 1.;
       if (outcome.converged || fraction == 0.)
         return outcome;
-      Vector dead(target);
-      dead.add(-1., external);
       external.add(fraction, dead);
       follower.advance_level(fraction);
       if (!equilibrate_on_the_way(trial, options, outcome))

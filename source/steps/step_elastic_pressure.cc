@@ -12,17 +12,6 @@ namespace MixedCracks
   using Vector = LinearAlgebra::Vector;
 
   template <int dim>
-  void
-  ElasticStep<dim>::set_pressures(const double from,
-                                  const double time,
-                                  const double part)
-  {
-    follower.set_level(from, time, part);
-  }
-
-
-
-  template <int dim>
   double
   ElasticStep<dim>::subtract_pressures(const Vector &elastic)
   {
@@ -136,14 +125,13 @@ namespace MixedCracks
 
 
 
-#define INSTANTIATE(dim)                                                   \
-  template void   ElasticStep<dim>::set_pressures(double, double, double); \
-  template double ElasticStep<dim>::subtract_pressures(const Vector &);    \
-  template Vector ElasticStep<dim>::pressures_to_come(const Vector &);     \
-  template Vector ElasticStep<dim>::loads_in(const State &);               \
-  template double ElasticStep<dim>::work_along_search(const Vector &,      \
-                                                      const Vector &);     \
-  template Vector ElasticStep<dim>::loads_on_boundary(types::boundary_id,  \
+#define INSTANTIATE(dim)                                                  \
+  template double ElasticStep<dim>::subtract_pressures(const Vector &);   \
+  template Vector ElasticStep<dim>::pressures_to_come(const Vector &);    \
+  template Vector ElasticStep<dim>::loads_in(const State &);              \
+  template double ElasticStep<dim>::work_along_search(const Vector &,     \
+                                                      const Vector &);    \
+  template Vector ElasticStep<dim>::loads_on_boundary(types::boundary_id, \
                                                       const State &);
   INSTANTIATE(2)
   INSTANTIATE(3)

@@ -313,7 +313,7 @@ namespace MixedCracks
   ElasticStep<dim>::solve(State &trial, const NewtonOptions &options)
   {
     external = external_forces(trial.time, trial.lagged_phase_field);
-    set_pressures(trial.time, trial.time, 1.);
+    follower.set_level(trial.time, trial.time, 1.);
     const Vector start    = trial.elastic;
     is_stopped            = false;
     NewtonOutcome outcome = solve_once(trial, options);
