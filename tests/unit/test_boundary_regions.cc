@@ -222,6 +222,32 @@ TEST(BoundaryRegions, AreRefusedWithTheNearestFaces)
 
 
 // A mesh for --check: no region without a face, though faces are larger
+TEST(BoundaryRegions, SayWhatTheirMeshFileSays)
+{
+  const Described<> described(
+    Entries({{"Name", "mesh file"}, {"Boundary regions", "low : y < 1e-6"}}),
+    Entries({{"File name", meshes + "/plate_of_triangles.msh"},
+             {"Cut simplices", "true"}}));
+  described.parameters.check();
+  const Geometry<2> &geometry = described.parameters.chosen();
+  unsigned int       n_cells  = 0;
+  for (const bool again : {false, true}) // what check() has read, and anew
+  {
+    SCOPED_TRACE(again);
+    Triangulation<2> mesh;
+    geometry.create(mesh);
+    EXPECT_NE(geometry.about_mesh().find("cut"), std::string::npos);
+    EXPECT_GT(boundary_length(mesh, geometry.boundary_ids().at("low")), 0.);
+    if (again)
+    {
+      EXPECT_EQ(mesh.n_active_cells(), n_cells);
+    }
+    n_cells = mesh.n_active_cells();
+  }
+}
+
+
+
 TEST(BoundaryRegions, OnLargerCellsNoneIsMissed)
 {
   const Described<> described(

@@ -5,6 +5,8 @@
 #include <problem/geometries/mesh_builder.h>
 #include <problem/geometry.h>
 
+#include <memory>
+
 namespace MixedCracks
 {
   /// A mesh of quadrilaterals, in 3-d of hexahedra, from a file: Gmsh (.msh),
@@ -84,6 +86,8 @@ namespace MixedCracks
     /// of the file and names that are in `read_for`, to read it once
     mutable FileBoundaries known;
     mutable std::string    read_for;
+    /// The mesh that was read with them, until create() takes it
+    mutable std::unique_ptr<dealii::Triangulation<dim>> read_mesh;
     /// See about_mesh()
     mutable std::string remarks;
   };

@@ -15,6 +15,7 @@
 
 #include <base/text.h>
 
+#include <deal.II/base/mpi.h>
 #include <deal.II/base/patterns.h>
 #include <deal.II/grid/manifold_lib.h>
 
@@ -199,9 +200,10 @@ namespace MixedCracks
     const std::string key = what_is_read();
     if (read_for != key)
     {
-      dealii::Triangulation<dim> mesh;
-      known = build(
-        read_file_once(file_name, reading, subsection + "File name"), mesh);
+      read_mesh = std::make_unique<dealii::Triangulation<dim>>();
+      known =
+        build(read_file_once(file_name, reading, subsection + "File name"),
+              *read_mesh);
       read_for = key;
     }
     return known;
@@ -276,12 +278,17 @@ namespace MixedCracks
   void
   MeshFile<dim>::create(dealii::Triangulation<dim> &triangulation) const
   {
-    const std::string text = read_file_once(
-      file_name, triangulation.get_communicator(), subsection + "File name");
-    // a serial mesh, every rank's own
-    dealii::Triangulation<dim> mesh;
-    known    = build(text, mesh);
-    read_for = what_is_read();
+    // Every rank reads, or none: a rank that was asked for names alone has done
+    // so before the others.
+    const MPI_Comm communicator = triangulation.get_communicator();
+    const int has_mesh = read_mesh != nullptr && read_for == what_is_read();
+    if (dealii::Utilities::MPI::min(has_mesh, communicator) == 0)
+      read_for.clear();
+    boundaries(communicator);
+    // a serial mesh, every rank's own; the next one is read anew
+    const std::unique_ptr<dealii::Triangulation<dim>> owned =
+      std::move(read_mesh);
+    dealii::Triangulation<dim> &mesh = *owned;
 
     mesh.reset_all_manifolds();
     mesh.set_all_manifold_ids(dealii::numbers::flat_manifold_id);
