@@ -17,18 +17,19 @@
 
 namespace MixedCracks
 {
-  /// Call @p body for each owned face of the boundaries with its cell, values
-  /// and function; what it may throw is thrown on all ranks.
-  template <int dim>
+  /// Add up what @p fill puts into @p local, a vector or a matrix that is 0
+  /// then, for each owned face of the boundaries, from its values and function;
+  /// what it may throw is thrown on all ranks. The ranks have summed up then.
+  template <int dim, typename Local, typename Global>
   void
-  for_each_loaded_face(
-    const Fields<dim>            &fields,
-    const BoundaryFunctions<dim> &functions,
-    const dealii::UpdateFlags     flags,
-    const std::function<
-      void(const typename dealii::DoFHandler<dim>::active_cell_iterator &,
-           const dealii::FEFaceValues<dim> &,
-           dealii::Function<dim> &)> &body)
+  add_loaded_faces(const Fields<dim>                       &fields,
+                   const BoundaryFunctions<dim>            &functions,
+                   const dealii::UpdateFlags                flags,
+                   const dealii::AffineConstraints<double> &constraints,
+                   Local                                   &local,
+                   Global                                  &result,
+                   const std::function<void(const dealii::FEFaceValues<dim> &,
+                                            dealii::Function<dim> &)> &fill)
   {
     dealii::FEFaceValues<dim> values(
       fields.mapping,
@@ -36,6 +37,7 @@ namespace MixedCracks
       dealii::QGauss<dim - 1>(fields.elastic.get_fe().degree + 1),
       flags | dealii::update_values | dealii::update_JxW_values |
         dealii::update_normal_vectors | dealii::update_quadrature_points);
+    std::vector<dealii::types::global_dof_index> indices(values.dofs_per_cell);
     together(fields.communicator(), [&]() {
       for (const auto &cell : fields.elastic.active_cell_iterators())
         if (cell->is_locally_owned() && cell->at_boundary())
@@ -47,9 +49,13 @@ namespace MixedCracks
               if (found == functions.end())
                 continue;
               values.reinit(cell, face);
-              body(cell, values, *found->second);
+              local = 0.;
+              fill(values, *found->second);
+              cell->get_dof_indices(indices);
+              constraints.distribute_local_to_global(local, indices, result);
             }
     });
+    result.compress(dealii::VectorOperation::add);
   }
 
 

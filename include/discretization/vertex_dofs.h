@@ -2,6 +2,7 @@
 #ifndef mixed_cracks_discretization_vertex_dofs_h
 #define mixed_cracks_discretization_vertex_dofs_h
 
+#include <deal.II/base/index_set.h>
 #include <deal.II/base/point.h>
 #include <deal.II/dofs/dof_handler.h>
 #include <deal.II/lac/affine_constraints.h>
@@ -33,6 +34,10 @@ namespace MixedCracks
                    const dealii::AffineConstraints<double> &constraints,
                    const std::vector<VertexComponent<dim>> &places,
                    const std::string                       &entry);
+
+  /// Those of @p places that are in @p owned, the dofs of this rank.
+  std::vector<VertexDofs> owned_of(const std::vector<VertexDofs> &places,
+                                   const dealii::IndexSet        &owned);
 } // namespace MixedCracks
 
 #endif

@@ -23,12 +23,14 @@ namespace MixedCracks
     if (functions.empty())
       return;
     dealii::Vector<double> local(fields.elastic.get_fe().n_dofs_per_cell());
-    std::vector<types::global_dof_index> indices(local.size());
-    for_each_loaded_face<dim>(
+    add_loaded_faces<dim>(
       fields,
       functions,
       update_default,
-      [&](const auto &cell, const auto &values, Function<dim> &function) {
+      constraints,
+      local,
+      forces,
+      [&](const auto &values, Function<dim> &function) {
         std::vector<double>         tractions;
         std::vector<Tensor<1, dim>> normals;
         for (unsigned int q = 0; q < values.n_quadrature_points; ++q)
@@ -36,12 +38,8 @@ namespace MixedCracks
           tractions.push_back(function.value(values.quadrature_point(q), 0));
           normals.push_back(values.normal_vector(q));
         }
-        local = 0.;
         add_pressure(values, tractions, normals, factor, local);
-        cell->get_dof_indices(indices);
-        constraints.distribute_local_to_global(local, indices, forces);
       });
-    forces.compress(VectorOperation::add);
   }
 
 

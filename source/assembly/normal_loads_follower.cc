@@ -218,25 +218,23 @@ namespace MixedCracks
                  fields.communicator());
     state = elastic;
     dealii::Vector<double> local(fields.elastic.get_fe().n_dofs_per_cell());
-    std::vector<types::global_dof_index> indices(local.size());
-    for_each_loaded_face<dim>(
+    add_loaded_faces<dim>(
       fields,
       pressures,
       update_gradients,
-      [&](const auto &cell, const auto &values, Function<dim> &pressure) {
+      constraints,
+      local,
+      forces,
+      [&](const auto &values, Function<dim> &pressure) {
         std::vector<Tensor<1, dim>> areas;
         for (const auto &g : deformed_tangents<dim>(values, state, false))
           areas.push_back(area_vector<dim>(g));
-        local = 0.;
         add_pressure(values,
                      pressures_at_points(values, pressure, from, to, part),
                      areas,
                      -1.,
                      local);
-        cell->get_dof_indices(indices);
-        constraints.distribute_local_to_global(local, indices, forces);
       });
-    forces.compress(VectorOperation::add);
   }
 
 
@@ -250,22 +248,20 @@ namespace MixedCracks
       return;
     const unsigned int n = fields.elastic.get_fe().n_dofs_per_cell();
     FullMatrix<double> local(n, n);
-    std::vector<types::global_dof_index> indices(n);
-    for_each_loaded_face<dim>(
+    add_loaded_faces<dim>(
       fields,
       pressures,
       update_gradients,
-      [&](const auto &cell, const auto &values, Function<dim> &pressure) {
-        local = 0.;
+      constraints,
+      local,
+      matrix,
+      [&](const auto &values, Function<dim> &pressure) {
         add_pressure_tangent(
           values,
           pressures_at_points(values, pressure, from, to, part),
           deformed_tangents<dim>(values, state, false),
           local);
-        cell->get_dof_indices(indices);
-        constraints.distribute_local_to_global(local, indices, matrix);
       });
-    matrix.compress(VectorOperation::add);
   }
 
 
@@ -279,27 +275,25 @@ namespace MixedCracks
     if (!any())
       return;
     dealii::Vector<double> local(fields.elastic.get_fe().n_dofs_per_cell());
-    std::vector<types::global_dof_index> indices(local.size());
-    for_each_loaded_face<dim>(
+    add_loaded_faces<dim>(
       fields,
       pressures,
       update_gradients,
-      [&](const auto &cell, const auto &values, Function<dim> &pressure) {
+      constraints,
+      local,
+      result,
+      [&](const auto &values, Function<dim> &pressure) {
         const auto g  = deformed_tangents<dim>(values, state, false);
         const auto dg = deformed_tangents<dim>(values, direction, true);
         std::vector<Tensor<1, dim>> changes;
         for (unsigned int q = 0; q < g.size(); ++q)
           changes.push_back(change_of_area<dim>(g[q], dg[q]));
-        local = 0.;
         add_pressure(values,
                      pressures_at_points(values, pressure, from, to, part),
                      changes,
                      1.,
                      local);
-        cell->get_dof_indices(indices);
-        constraints.distribute_local_to_global(local, indices, result);
       });
-    result.compress(VectorOperation::add);
   }
 
 

@@ -44,18 +44,12 @@ namespace MixedCracks
     std::vector<VertexComponent<dim>> places;
     for (const PointForce<dim> &force : forces)
       places.push_back({force.point, force.component});
-    owned_dofs =
-      dofs_at_vertices(fields.elastic, hanging_nodes, places, force_entry);
+    owned_dofs = owned_of(
+      dofs_at_vertices(fields.elastic, hanging_nodes, places, force_entry),
+      fields.elastic_dofs.owned);
     std::vector<unsigned int> n_dofs;
-    for (VertexDofs &dofs : owned_dofs)
-    {
-      VertexDofs owned;
-      for (const auto dof : dofs)
-        if (fields.elastic_dofs.owned.is_element(dof))
-          owned.push_back(dof);
-      dofs = owned;
+    for (const VertexDofs &dofs : owned_dofs)
       n_dofs.push_back(static_cast<unsigned int>(dofs.size()));
-    }
     Utilities::MPI::sum(n_dofs, fields.communicator(), n_dofs);
     for (std::size_t i = 0; i < forces.size(); ++i)
       if (n_dofs[i] > 1)

@@ -13,6 +13,8 @@
 #include <discretization/vertex_dofs.h>
 
 #include <algorithm>
+#include <iterator>
+#include <map>
 #include <sstream>
 
 namespace MixedCracks
@@ -51,21 +53,30 @@ namespace MixedCracks
     std::vector<VertexDofs>   result(places.size());
     const FiniteElement<dim> &element = dofs.get_fe();
     VertexDofs                indices(element.n_dofs_per_cell());
+    // a set of points may be as large as a side of the mesh
+    std::multimap<double, std::size_t> by_x;
+    for (std::size_t i = 0; i < places.size(); ++i)
+      by_x.emplace(places[i].point[0], i);
     for (const auto &cell : dofs.active_cell_iterators())
-      if (!cell->is_artificial())
-        for (std::size_t i = 0; i < places.size(); ++i)
-          for (const unsigned int v : cell->vertex_indices())
-            if (cell->vertex(v).distance(places[i].point) <
-                1e-6 * cell->diameter())
-            {
-              cell->get_dof_indices(indices);
-              add_dofs_of_vertex(element,
-                                 v,
-                                 places[i].component,
-                                 indices,
-                                 constraints,
-                                 result[i]);
-            }
+    {
+      if (cell->is_artificial())
+        continue;
+      const double tolerance = 1e-6 * cell->diameter();
+      for (const unsigned int v : cell->vertex_indices())
+      {
+        const Point<dim> vertex = cell->vertex(v);
+        const auto       end    = by_x.upper_bound(vertex[0] + tolerance);
+        for (auto at = by_x.lower_bound(vertex[0] - tolerance); at != end; ++at)
+        {
+          const std::size_t i = at->second;
+          if (vertex.distance(places[i].point) >= tolerance)
+            continue;
+          cell->get_dof_indices(indices);
+          add_dofs_of_vertex(
+            element, v, places[i].component, indices, constraints, result[i]);
+        }
+      }
+    }
     std::vector<int> found;
     for (VertexDofs &here : result)
     {
@@ -86,6 +97,20 @@ namespace MixedCracks
                 << ".";
         throw InputError(message.str());
       }
+    return result;
+  }
+
+
+
+  std::vector<VertexDofs>
+  owned_of(const std::vector<VertexDofs> &places, const IndexSet &owned)
+  {
+    std::vector<VertexDofs> result(places.size());
+    for (std::size_t i = 0; i < places.size(); ++i)
+      std::copy_if(places[i].begin(),
+                   places[i].end(),
+                   std::back_inserter(result[i]),
+                   [&owned](const auto dof) { return owned.is_element(dof); });
     return result;
   }
 

@@ -57,18 +57,12 @@ namespace MixedCracks
     std::vector<VertexComponent<dim>> places;
     for (const PointEntry<dim> &entry : entries)
       places.push_back({entry.point, 0});
-    owned_dofs = dofs_at_vertices(fields.phase_field,
-                                  constraints.phase_field_hanging_nodes(),
-                                  places,
-                                  phase_field_entry);
-    for (VertexDofs &dofs : owned_dofs)
-    {
-      VertexDofs owned;
-      for (const auto dof : dofs)
-        if (fields.phase_field_dofs.owned.is_element(dof))
-          owned.push_back(dof);
-      dofs = owned;
-    }
+    owned_dofs =
+      owned_of(dofs_at_vertices(fields.phase_field,
+                                constraints.phase_field_hanging_nodes(),
+                                places,
+                                phase_field_entry),
+               fields.phase_field_dofs.owned);
   }
 
 
