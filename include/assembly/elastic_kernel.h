@@ -200,7 +200,8 @@ namespace MixedCracks
     std::vector<unsigned int>                  pressure_dofs;
     std::vector<ElasticPoint<dim>>             states;
     std::vector<ElasticResponse<dim>>          responses;
-    ElasticEvaluation evaluated = ElasticEvaluation::points;
+    double            largest_displacement = 0.; // of a component at a node, mm
+    ElasticEvaluation evaluated            = ElasticEvaluation::points;
   };
 } // namespace MixedCracks
 

@@ -34,6 +34,9 @@
 
 #include <assembly/elastic_kernel.h>
 
+#include <algorithm>
+#include <cmath>
+
 namespace MixedCracks
 {
   using namespace dealii;
@@ -128,6 +131,11 @@ namespace MixedCracks
                                 const std::vector<double> &lagged_phase_field,
                                 const ElasticEvaluation    wanted)
   {
+    largest_displacement = 0.;
+    for (const auto &node : displacement_dofs)
+      for (const unsigned int i : node)
+        largest_displacement =
+          std::max(largest_displacement, std::abs(local(i)));
     for (unsigned int q = 0; q < states.size(); ++q)
     {
       ElasticPoint<dim> &point = states[q];

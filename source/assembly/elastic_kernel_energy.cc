@@ -17,23 +17,15 @@ namespace MixedCracks
 
   namespace
   {
-    // Of strains, at finite strain: stresses are known to some 1e-16 of the
-    // moduli, which is to be within a Newton tolerance of 1e-8.
+    // At finite strain a stress is what is left of terms of the size of the
+    // moduli, known to some 1e-16 of them: that is to be within a Newton
+    // tolerance of 1e-8.
     constexpr double strain_floor = 1e-7;
 
-
-
-    // That is so at rest. In a body that is turned, stresses are what is left
-    // of displacements that are large against its cells: at angles from 0.2 on
-    // their rounding was seen to keep Newton's method from its tolerance. In a
-    // body that is stretched by as much it is next to nothing of the stress.
-    template <int dim>
-    double
-    loss_by_turning(const Tensor<2, dim> &gradient)
-    {
-      constexpr double growth = 100.;
-      return 1. + growth * gradient.norm();
-    }
+    // A gradient is a sum of nodal displacements over h, known to some 1e-15 of
+    // their size over h whatever the strain: of a body that is moved or turned
+    // as a whole nothing else is left.
+    constexpr double rounding = 1e-6;
   } // namespace
 
 
@@ -102,36 +94,33 @@ namespace MixedCracks
   // sigma grad N, and grad N is of the order of 1/h:  s_u = (integral of
   // |sigma|)/h, and the constraint is of the order of  s_p = integral of |eps|,
   // h = V^(1/dim). Newton's method compares |R_u| with the root of the sum of
-  // s_u^2, |R_p| with that of s_p^2. At finite strain the stress itself is what
-  // is left of terms that cancel, 0 at F = I but for rounding: there |sigma|
-  // and |eps| are no less than what strains of strain_floor make, and more
-  // where a body is turned or stretched far.
+  // s_u^2, |R_p| with that of s_p^2. To |eps| is added what rounding leaves of
+  // it, for a tolerance of 1e-8, and to |sigma| what that strain makes:
+  //
+  //   eps_0 = 1e-6 max |u|/h  (+ 1e-7 at finite strain)
   template <int dim>
   std::pair<double, double>
   ElasticKernel<dim>::squared_scale() const
   {
-    std::pair<double, double> result{0., 0.};
-    double                    stress = 0., strain = 0.;
+    // a stress times the gradient of a shape function, of the order of 1/h
+    const double h     = std::pow(geometry->volume(), 1. / dim);
+    const double floor = rounding * largest_displacement / h +
+                         (material.is_finite() ? strain_floor : 0.);
+    double stress = 0., strain = 0.;
     for (unsigned int q = 0; q < states.size(); ++q)
     {
       const double          weight = geometry->weights[q];
       const Tensor<2, dim> &here   = responses[q].stress;
-      strain += size_of_strain(states[q].gradient) * weight;
+      strain += (size_of_strain(states[q].gradient) + floor) * weight;
       stress +=
         (material.is_finite() ? here.norm() : symmetrize(here).norm()) * weight;
-      if (material.is_finite())
-      {
-        const double floor = strain_floor * loss_by_turning(states[q].gradient);
-        strain += floor * weight;
-        stress += floor * states[q].degradation *
-                  (2. * constants[q].mu + (mixed ? 0. : constants[q].lambda)) *
-                  weight;
-      }
+      stress += floor * states[q].degradation *
+                (2. * constants[q].mu + (mixed ? 0. : constants[q].lambda)) *
+                weight;
     }
-    // a stress times the gradient of a shape function, of the order of 1/h
-    const double h = std::pow(geometry->volume(), 1. / dim);
-    result.first   = (stress / h) * (stress / h);
-    result.second  = strain * strain;
+    std::pair<double, double> result;
+    result.first  = (stress / h) * (stress / h);
+    result.second = strain * strain;
     return result;
   }
 
