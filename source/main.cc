@@ -8,6 +8,7 @@
 #include <input/case_signature.h>
 #include <input/command_line.h>
 #include <input/dimension.h>
+#include <input/example_case.h>
 #include <input/parameter_file.h>
 #include <input/parameter_manual.h>
 
@@ -25,16 +26,21 @@
 #include <functional>
 #include <iostream>
 #include <memory>
+#include <optional>
 #include <sstream>
 
 namespace
 {
   using namespace MixedCracks;
 
+  // Also of a process that has not started MPI, and is the only one.
   bool
   on_first_rank()
   {
-    return dealii::Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0;
+    int has_mpi = 0;
+    MPI_Initialized(&has_mpi);
+    return has_mpi == 0 ||
+           dealii::Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0;
   }
 
 
@@ -68,29 +74,50 @@ namespace
 
 
 
-  // --help, --version and --parameters: say it and be done
-  bool
+  // --help, --version and the like
+  std::string
+  answer(const CommandLine &command)
+  {
+    if (command.help)
+      return usage();
+    if (command.version)
+      return version_text();
+    if (command.cite)
+      return citation;
+    if (command.example)
+      return command.example->empty()
+               ? list_of_examples(example_folder())
+               : write_example(example_folder(), *command.example, ".");
+    // those of 3-d are the same
+    Parameters<2>            parameters;
+    dealii::ParameterHandler prm;
+    parameters.add_parameters(prm);
+    std::ostringstream out;
+    print_parameters(out, prm, *command.parameters);
+    return out.str();
+  }
+
+
+
+  // By one rank, which alone writes what an example consists of.
+  int
   answer_question(const CommandLine &command)
   {
-    std::ostringstream out;
-    if (command.help)
-      out << usage();
-    else if (command.version)
-      out << version_text();
-    else if (command.parameters)
-    {
-      // those of 3-d are the same
-      Parameters<2>            parameters;
-      dealii::ParameterHandler prm;
-      parameters.add_parameters(prm);
-      print_parameters(out, prm, *command.parameters);
-    }
-    else
-      return false;
-    if (on_first_rank())
-      std::cout << out.str();
-    require_written_output();
-    return true;
+    std::string failure;
+    together(MPI_COMM_WORLD, [&]() {
+      if (on_first_rank())
+        try
+        {
+          std::cout << answer(command);
+          failure = failure_of_output();
+        }
+        catch (const FileError &error)
+        {
+          failure = error.what();
+        }
+    });
+    throw_on_all_ranks(failure, MPI_COMM_WORLD);
+    return 0;
   }
 
 
@@ -231,8 +258,8 @@ namespace
   run(const int argc, char **argv)
   {
     const CommandLine command = parse_command_line(argc, argv);
-    if (answer_question(command))
-      return 0;
+    if (command.is_question())
+      return answer_question(command);
     const std::vector<SourceLine> source =
       read_source(command.file, MPI_COMM_WORLD);
     return chosen_dimension(source, command.set) == 3
@@ -253,6 +280,59 @@ namespace
                 << std::flush;
     return status;
   }
+
+
+
+  // The exit status of @p action, or of what it throws.
+  int
+  exit_status(const std::function<int()> &action)
+  {
+    try
+    {
+      return action();
+    }
+    catch (const InputError &error)
+    {
+      return report(error.what(), 2);
+    }
+    catch (const SolverError &error)
+    {
+      return report(error.what(), 3);
+    }
+    catch (const FileError &error)
+    {
+      return report(error.what(), 4);
+    }
+    catch (const StoppedEarly &stop)
+    {
+      if (on_first_rank())
+        std::cerr << "mixed-cracks: " + std::string(stop.what()) + "\n"
+                  << std::flush;
+      return stop.exit_status;
+    }
+  }
+
+
+
+  // A single process need not start MPI to answer a question. Without a value:
+  // there is a case to be run.
+  std::optional<int>
+  answer_at_once(const int argc, char **argv)
+  {
+    std::optional<int> status;
+    const int          result = exit_status([&]() {
+      const CommandLine command = parse_command_line(argc, argv);
+      if (!command.is_question())
+        return 0;
+      status = 0;
+      std::cout << answer(command);
+      const std::string failure = failure_of_output();
+      if (!failure.empty())
+        throw FileError(failure);
+      return 0;
+    });
+    return result == 0 ? status : result;
+  }
 } // namespace
 
 
@@ -261,7 +341,9 @@ int
 main(int argc, char **argv)
 {
   occupy_standard_streams();
-  prepare_single_process();
+  if (prepare_single_process())
+    if (const std::optional<int> status = answer_at_once(argc, argv))
+      return *status;
   survive_file_size_limit();
   const bool                               under_nohup = ignores_hangup();
   dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
@@ -269,26 +351,7 @@ main(int argc, char **argv)
     ignore_hangup(); // PETSc has set it back
   try
   {
-    return run(argc, argv);
-  }
-  catch (const InputError &error)
-  {
-    return report(error.what(), 2);
-  }
-  catch (const SolverError &error)
-  {
-    return report(error.what(), 3);
-  }
-  catch (const FileError &error)
-  {
-    return report(error.what(), 4);
-  }
-  catch (const StoppedEarly &stop)
-  {
-    if (on_first_rank())
-      std::cerr << "mixed-cracks: " + std::string(stop.what()) + "\n"
-                << std::flush;
-    return stop.exit_status;
+    return exit_status([&]() { return run(argc, argv); });
   }
   catch (const std::exception &error)
   {

@@ -20,9 +20,10 @@ namespace MixedCracks
   std::vector<std::pair<std::string, std::string>>
   single_process_settings(const std::vector<std::string> &environment);
 
-  /// Put these settings into the environment of this process. To be called
-  /// before MPI_Init; other implementations of MPI ignore them.
-  void prepare_single_process();
+  /// Put these settings into the environment of this process, if it is a single
+  /// one, and tell whether it is. To be called before MPI_Init; other
+  /// implementations of MPI ignore them.
+  bool prepare_single_process();
 } // namespace MixedCracks
 
 #endif

@@ -16,11 +16,20 @@ namespace MixedCracks
     std::optional<std::string> output;     ///< instead of Output/Directory
     std::optional<std::string> parameters; ///< print them in this format
     std::optional<std::string> case_id;    ///< print the one of this scope
+    std::optional<std::string> example;    ///< write it; "": list them
     bool                       check     = false;
     bool                       resume    = false;
     bool                       overwrite = false;
+    bool                       cite      = false;
     bool                       version   = false;
     bool                       help      = false;
+
+    /// Whether there is a question to be answered, and no case.
+    bool
+    is_question() const
+    {
+      return help || version || cite || parameters || example;
+    }
   };
 
   /// Reads the arguments behind the program's name. Throws InputError for

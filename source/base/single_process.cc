@@ -105,7 +105,7 @@ namespace MixedCracks
 
 
 
-  void
+  bool
   prepare_single_process()
   {
     std::vector<std::string> environment;
@@ -114,5 +114,6 @@ namespace MixedCracks
       environment.emplace_back(*variable);
     for (const auto &[name, value] : single_process_settings(environment))
       setenv(name.c_str(), value.c_str(), 0);
+    return !has_launcher(environment);
   }
 } // namespace MixedCracks

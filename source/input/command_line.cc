@@ -28,6 +28,8 @@ namespace MixedCracks
                                                   "--resume",
                                                   "--overwrite",
                                                   "--parameters",
+                                                  "--example",
+                                                  "--cite",
                                                   "--version",
                                                   "--help"};
       return names;
@@ -68,6 +70,9 @@ namespace MixedCracks
       // The value behind "=", or else the next argument, which @p name needs.
       std::string value_of(const std::string &name, const std::string &what);
 
+      // The same, which need not be there.
+      std::optional<std::string> optional_value();
+
       std::string format_of_parameters();
 
       std::string scope_of_case_id() const;
@@ -102,6 +107,13 @@ namespace MixedCracks
         result.case_id = scope_of_case_id();
         return;
       }
+      if (name == "--example")
+      {
+        if (result.example)
+          throw InputError("--example is given twice.");
+        result.example = optional_value().value_or("");
+        return;
+      }
       if (name == "--output")
       {
         if (result.output)
@@ -113,6 +125,7 @@ namespace MixedCracks
       bool *const flag = name == "--check"       ? &result.check
                          : name == "--resume"    ? &result.resume
                          : name == "--overwrite" ? &result.overwrite
+                         : name == "--cite"      ? &result.cite
                          : name == "--version"   ? &result.version
                          : name == "--help"      ? &result.help
                                                  : nullptr;
@@ -172,18 +185,26 @@ namespace MixedCracks
 
 
 
+    std::optional<std::string>
+    Reader::optional_value()
+    {
+      if (attached)
+        return attached;
+      if (position + 1 < arguments.size() &&
+          !is_option(arguments[position + 1]))
+        return arguments[++position];
+      return {};
+    }
+
+
+
     std::string
     Reader::format_of_parameters()
     {
       if (result.parameters)
         throw InputError("--parameters is given twice.");
-      std::string format = parameter_formats().front();
-      if (attached)
-        format = *attached;
-      else if (position + 1 < arguments.size() &&
-               !is_option(arguments[position + 1]))
-        format = arguments[++position];
       const std::vector<std::string> &formats = parameter_formats();
+      const std::string format = optional_value().value_or(formats.front());
       if (std::find(formats.begin(), formats.end(), format) == formats.end())
         throw InputError("--parameters: " +
                          unknown_name_message(format, formats));
@@ -218,8 +239,7 @@ namespace MixedCracks
     if (result.case_id && (result.check || result.resume || result.overwrite))
       throw InputError("--case-id only prints the id of the case; allowed with "
                        "it are --set and --output.");
-    if (result.file.empty() && !result.help && !result.version &&
-        !result.parameters)
+    if (result.file.empty() && !result.is_question())
       throw InputError("command line: no parameter file.\n" + usage());
     return result;
   }
@@ -246,6 +266,9 @@ Options:
   --overwrite       replace the run in the output directory
   --parameters [prm|json|markdown]
                     print every entry with default, allowed values, description
+  --example [NAME]  write NAME.prm, and the files that it reads, into the
+                    working directory; without a name: list the examples
+  --cite            print how to cite the program, in the Citation File Format
   --version         print the versions of the program and its libraries
   --help            print this text
 

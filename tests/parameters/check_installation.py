@@ -65,6 +65,42 @@ class Installation(unittest.TestCase):
             self.assertEqual(found, [], path)
         self.assertGreaterEqual(n_cases, 4)
 
+    def test_examples_are_copied_with_what_they_read(self):
+        listed = [line.split()[0]
+                  for line in self.call("mixed-cracks", "--example").splitlines()]
+        self.assertEqual(len(listed), len(self.cases))
+        for name, n_files in (("punctured_strip", 1), ("finite_strain/thick_strip", 2),
+                              ("thick_cylinder", 2), ("load_table", 2),
+                              ("heterogeneous_block", 2),
+                              ("multiple_cracks_heterogeneous", 3)):
+            with tempfile.TemporaryDirectory() as folder:
+                subprocess.run([self.program, "--example", name], cwd=folder,
+                               check=True, stdout=subprocess.DEVNULL)
+                files = os.listdir(folder)
+                self.assertEqual(len(files), n_files, files)
+                # the rest of the installation is not needed any more
+                copy = os.path.join(folder, "alone")
+                os.mkdir(copy)
+                for file in files:
+                    os.rename(os.path.join(folder, file), os.path.join(copy, file))
+                case = os.path.join(copy, os.path.basename(name) + ".prm")
+                found = list(check_all.offences([self.program], case))
+                self.assertEqual(found, [], name)
+
+    def test_an_example_overwrites_nothing(self):
+        with tempfile.TemporaryDirectory() as folder:
+            with open(os.path.join(folder, "thick_cylinder.msh"), "w") as stream:
+                stream.write("mine")
+            for launcher in ([], [MPIRUN, "-n", "2"]):
+                process = subprocess.run(
+                    launcher + [self.program, "--example", "thick_cylinder"],
+                    cwd=folder, stdout=subprocess.DEVNULL, stderr=subprocess.PIPE,
+                    universal_newlines=True)
+                self.assertEqual(process.returncode, 4)
+                self.assertEqual(process.stderr.count("error:"), 1, process.stderr)
+                self.assertIn("thick_cylinder.msh", process.stderr)
+                self.assertEqual(os.listdir(folder), ["thick_cylinder.msh"])
+
     def test_scripts_are_on_the_path(self):
         for name in SCRIPTS:
             self.assertIn("usage", self.call("mixed-cracks-" + name, "--help").lower())

@@ -21,6 +21,7 @@ sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)),
 from bad_inputs import BASE  # the good file that bad ones are made of
 
 COMMAND = []
+ROOT = os.path.join(os.path.dirname(os.path.abspath(__file__)), os.pardir, os.pardir)
 
 
 class Questions(unittest.TestCase):
@@ -54,7 +55,8 @@ class Questions(unittest.TestCase):
         text = self.ask("--help", ranks=2)
         self.assertEqual(text.count("Usage: "), 1)
         for option in ("--set", "--output", "--check", "--case-id", "--resume",
-                       "--overwrite", "--parameters", "--version", "--help", "Exit status"):
+                       "--overwrite", "--parameters", "--example", "--cite", "--version",
+                       "--help", "Exit status"):
             self.assertIn(option, text)
 
     @unittest.skipUnless(os.path.exists("/dev/full"), "there is no /dev/full")
@@ -78,6 +80,20 @@ class Questions(unittest.TestCase):
         text = self.ask("--version")
         for name in ("mixed-cracks ", "deal.II ", "Trilinos ", "p4est ", "MPI"):
             self.assertIn(name, text)
+
+    def test_how_to_cite(self):
+        with open(os.path.join(ROOT, "CITATION.cff"), encoding="utf-8") as stream:
+            self.assertEqual(self.ask("--cite", ranks=2), stream.read())
+
+    def test_unknown_example(self):
+        for launcher in ([], [COMMAND[1], "-n", "2"]):
+            process = subprocess.run(
+                launcher + [COMMAND[0], "--example", "punctured_stripe"],
+                cwd=self.folder, stderr=subprocess.PIPE, universal_newlines=True,
+                timeout=60)
+            self.assertEqual(process.returncode, 2)
+            self.assertIn("punctured_strip", process.stderr)
+            self.assertEqual(process.stderr.count("error:"), 1, process.stderr)
 
     def test_parameters_json(self):
         entries = json.loads(self.ask("--parameters", "json"))
@@ -131,7 +147,7 @@ class Questions(unittest.TestCase):
         # were they set over, the program would start
         for name in ("OMPI_MCA_pml", "OMPI_MCA_btl"):
             process = subprocess.run(
-                [COMMAND[0], "--version"], env=dict(os.environ, **{name: "unheard-of"}),
+                [COMMAND[0], "--check", "case.prm"], cwd=self.folder, env=dict(os.environ, **{name: "unheard-of"}),
                 stdin=subprocess.DEVNULL, stdout=subprocess.PIPE,
                 stderr=subprocess.STDOUT, universal_newlines=True, timeout=60)
             self.assertNotEqual(process.returncode, 0, name)

@@ -57,6 +57,10 @@ namespace MixedCracks
   {
     EXPECT_TRUE(parse({"--help"}).help);
     EXPECT_TRUE(parse({"--version"}).version);
+    EXPECT_TRUE(parse({"--cite"}).cite);
+    EXPECT_EQ(*parse({"--example"}).example, "");
+    EXPECT_EQ(*parse({"--example", "strip"}).example, "strip");
+    EXPECT_EQ(*parse({"--example=epdm/strip"}).example, "epdm/strip");
     EXPECT_EQ(*parse({"--parameters"}).parameters, "prm");
     EXPECT_EQ(*parse({"--parameters", "json"}).parameters, "json");
     EXPECT_EQ(*parse({"--parameters=markdown"}).parameters, "markdown");
@@ -98,7 +102,9 @@ namespace MixedCracks
                {{"--parameters", "xml"}, "unknown 'xml'"},
                {{"--parameters=jsno"}, "did you mean 'json'?"},
                {{"--parameters="}, "unknown ''"},
-               {{"--parameters", "--parameters"}, "twice"}};
+               {{"--parameters", "--parameters"}, "twice"},
+               {{"--example", "a", "--example", "b"}, "twice"},
+               {{"--cite=bibtex"}, "takes no value"}};
     for (const auto &[arguments, part] : mistakes)
       try
       {
@@ -122,6 +128,8 @@ namespace MixedCracks
                                      "--resume",
                                      "--overwrite",
                                      "--parameters",
+                                     "--example",
+                                     "--cite",
                                      "--version",
                                      "--help"})
       EXPECT_NE(usage().find("  " + option), std::string::npos) << option;
