@@ -42,6 +42,21 @@ namespace MixedCracks
     if (!everywhere.empty())
       throw FileError(everywhere);
   }
+
+  /// Whether all ranks have called this within @p seconds: after a failure that
+  /// may have come to one rank only, while the others still wait for it. Where
+  /// they do, no more collective calls are possible.
+  inline bool
+  all_ranks_arrive(const MPI_Comm communicator, const double seconds)
+  {
+    MPI_Request request;
+    MPI_Ibarrier(communicator, &request);
+    int          here  = 0;
+    const double start = MPI_Wtime();
+    while (here == 0 && MPI_Wtime() - start < seconds)
+      MPI_Test(&request, &here, MPI_STATUS_IGNORE);
+    return here != 0;
+  }
 } // namespace MixedCracks
 
 #endif

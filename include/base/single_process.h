@@ -13,16 +13,17 @@ namespace MixedCracks
   /// may be: a name that only hints at one counts, too.
   bool has_launcher(const std::vector<std::string> &environment);
 
-  /// Variables, names and values, that make Open MPI start faster where this
-  /// process is the only one: no daemon beside it, no look at the network, no
-  /// temporary files that others of its kind would share and remove.
-  /// Without those that @p environment has already, and none with a launcher.
+  /// Variables, names and values, for Open MPI: no shared file pointers, and
+  /// where this process is the only one what makes it start faster: no daemon
+  /// beside it, no look at the network, no temporary files that others of its
+  /// kind would share and remove. Without those that @p environment has
+  /// already.
   std::vector<std::pair<std::string, std::string>>
   single_process_settings(const std::vector<std::string> &environment);
 
-  /// Put these settings into the environment of this process, if it is a single
-  /// one, and tell whether it is. To be called before MPI_Init; other
-  /// implementations of MPI ignore them.
+  /// Put these settings into the environment of this process, and tell whether
+  /// it is a single one. To be called before MPI_Init; other implementations of
+  /// MPI ignore them.
   bool prepare_single_process();
 } // namespace MixedCracks
 

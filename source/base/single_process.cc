@@ -13,6 +13,33 @@ namespace MixedCracks
   {
     // settings that make sense with the daemon of a singleton, too
     constexpr std::size_t n_with_daemon = 3;
+
+    bool
+    is_given(const std::string              &name,
+             const std::vector<std::string> &environment)
+    {
+      return std::any_of(environment.begin(),
+                         environment.end(),
+                         [&](const std::string &variable) {
+                           return starts_with(variable, name + "=");
+                         });
+    }
+
+
+
+    std::vector<std::pair<std::string, std::string>>
+    without_given(std::vector<std::pair<std::string, std::string>> settings,
+                  const std::vector<std::string>                  &environment)
+    {
+      settings.erase(std::remove_if(settings.begin(),
+                                    settings.end(),
+                                    [&](const auto &setting) {
+                                      return is_given(setting.first,
+                                                      environment);
+                                    }),
+                     settings.end());
+      return settings;
+    }
   } // namespace
 
 
@@ -67,8 +94,13 @@ namespace MixedCracks
   std::vector<std::pair<std::string, std::string>>
   single_process_settings(const std::vector<std::string> &environment)
   {
+    // MPI-IO opens a shared file pointer with every file, which is never used
+    // here. Its component "sm" needs memory that processes share, and where
+    // /dev/shm cannot be written no checkpoint can.
+    const std::pair<std::string, std::string> no_shared_pointers{
+      "OMPI_MCA_sharedfp", "^sm"};
     if (has_launcher(environment))
-      return {};
+      return without_given({no_shared_pointers}, environment);
     // Started without mpirun, Open MPI 4 forks a daemon in case the program
     // spawns others, which this one never does. Then it tries all ways to
     // speak to other processes; ob1 over "self" is all that one needs. In the
@@ -76,31 +108,18 @@ namespace MixedCracks
     // (openmpi-mca-params.conf), which are written for runs on many.
     // Without the daemon all such processes of a user have one number and one
     // directory for temporary files, which the first one to end takes away
-    // from the others. One process needs no such files: no directory, and none
-    // of the shared file pointers that would look for it (MPI-IO works).
+    // from the others. One process needs no such directory, nor the shared file
+    // pointers that would look for it.
     std::vector<std::pair<std::string, std::string>> settings{
       {"OMPI_MCA_ess_singleton_isolated", "1"},
       {"OMPI_MCA_pml", "ob1"},
       {"OMPI_MCA_btl", "self"},
       {"OMPI_MCA_orte_create_session_dirs", "0"},
-      {"OMPI_MCA_sharedfp", "^sm"}};
-    const auto is_given = [&environment](const std::string &name) {
-      return std::any_of(environment.begin(),
-                         environment.end(),
-                         [&](const std::string &variable) {
-                           return starts_with(variable, name + "=");
-                         });
-    };
+      no_shared_pointers};
     // who wants the daemon has its directory
-    if (is_given(settings.front().first))
+    if (is_given(settings.front().first, environment))
       settings.resize(n_with_daemon);
-    settings.erase(std::remove_if(settings.begin(),
-                                  settings.end(),
-                                  [&](const auto &setting) {
-                                    return is_given(setting.first);
-                                  }),
-                   settings.end());
-    return settings;
+    return without_given(settings, environment);
   }
 
 

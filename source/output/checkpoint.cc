@@ -24,6 +24,7 @@
 // What fails on one rank is thrown on all of them, by a reduction after 2, 4, 5
 // and 7. The others would wait in the next collective call, a deadlock.
 
+#include <base/collective.h>
 #include <base/errors.h>
 
 #include <deal.II/base/mpi.h>
@@ -65,6 +66,9 @@ namespace MixedCracks
 
     // the same, as it is without rows
     constexpr std::uint64_t usual_record = 4096;
+
+    // s, for the other ranks where writing has failed on one
+    constexpr double patience = 30.;
 
 
 
@@ -214,10 +218,22 @@ namespace MixedCracks
     ContentsOnDisk written;
     written.mesh_checksum  = mesh_checksum(triangulation);
     written.damage_origins = state.damage_origins;
-    written.fields         = CheckpointFields<dim>(fields).save(
-      state, triangulation, path + mesh_name);
-    // every rank sends its part to the disk
     std::string message;
+    try
+    {
+      written.fields = CheckpointFields<dim>(fields).save(
+        state, triangulation, path + mesh_name);
+    }
+    catch (const ExceptionBase &)
+    {
+      // of MPI; usually it comes to all ranks
+      if (!all_ranks_arrive(communicator, patience))
+        throw;
+      message = "MPI cannot open or write '" + path + mesh_name +
+                "_fixed.data'; what it has printed may say why";
+    }
+    require_on_all_ranks(message, communicator);
+    // every rank sends its part to the disk
     for (const char *const ending : {"", ".info", "_fixed.data"})
       if (message.empty())
         message = sync_to_disk(path + mesh_name + ending);

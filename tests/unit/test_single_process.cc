@@ -55,7 +55,7 @@ namespace MixedCracks
     EXPECT_EQ(single_process_settings({}), all);
   }
 
-  TEST(SingleProcess, WithALauncherNothingIsSet)
+  TEST(SingleProcess, WithALauncherLittleIsSet)
   {
     for (const std::string variable : {"OMPI_COMM_WORLD_SIZE=2",
                                        "OMPI_UNIVERSE_SIZE=2",
@@ -84,7 +84,8 @@ namespace MixedCracks
                                        "MV2_COMM_WORLD_RANK=0"})
     {
       EXPECT_TRUE(has_launcher(terminal_with(variable))) << variable;
-      EXPECT_TRUE(single_process_settings(terminal_with(variable)).empty())
+      EXPECT_EQ(single_process_settings(terminal_with(variable)),
+                Settings{all[4]})
         << variable;
     }
   }
@@ -95,8 +96,8 @@ namespace MixedCracks
     if (std::getenv("OMPI_COMM_WORLD_SIZE") == nullptr)
       GTEST_SKIP() << "not started by Open MPI's mpirun";
     std::vector<std::string> names;
-    for (const auto &[name, value] : all)
-      names.push_back(name);
+    for (unsigned int i = 0; i < 4; ++i)
+      names.push_back(all[i].first);
     std::vector<std::string> before;
     for (const std::string &name : names)
       before.emplace_back(std::getenv(name.c_str()) ? std::getenv(name.c_str())
