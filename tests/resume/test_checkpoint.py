@@ -6,6 +6,7 @@ serves; and it never ends in anything but one message and exit status 4.
 usage: test_checkpoint.py EXECUTABLE MPIRUN
 """
 
+import os
 import pathlib
 import re
 import shutil
@@ -142,6 +143,19 @@ def one_that_was_not_finished(run, whole):
     assert summary(directory)["warnings"] == summary(whole)["warnings"]
 
 
+def one_that_mpi_cannot_write(run, whole):
+    """MPI-IO without what it opens files with: as where /dev/shm is no place to
+    write to, for which the program sets another value."""
+    directory = whole.with_name("refused")
+    os.environ["OMPI_MCA_sharedfp"] = "^sm,lockedfile,individual"
+    for ranks in (1, 2):
+        out = run(directory, "--overwrite", settings=SHORT, ranks=ranks, status=4)
+        assert len(errors_in(out)) == 1 and "MPI cannot open" in out, out
+        assert "Stacktrace" not in out, out
+        assert rows(directory), out
+    del os.environ["OMPI_MCA_sharedfp"]
+
+
 def main():
     run = Runner(sys.argv[1], sys.argv[2:])
     with tempfile.TemporaryDirectory() as temporary:
@@ -172,6 +186,7 @@ def main():
 
         each_generation_has_its_reason(run, whole)
         one_that_was_not_finished(run, whole)
+        one_that_mpi_cannot_write(run, whole)
         # the one before serves where it is whole, and the run says so
         cut(newest)
         out = run(whole, "--resume", settings=SHORT, ranks=2)
