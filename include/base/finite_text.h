@@ -26,12 +26,6 @@ namespace MixedCracks
   /// The value, or where it has overflown the largest number there is: for
   /// sentences, in which "inf" and "nan" say nothing. NaN is 0.
   double printable(double value);
-
-  /// A JSON number; null where it is not finite, which JSON cannot say.
-  std::string json_number(double value, int digits = 10);
-
-  /// A JSON string with its quotation marks. What is not UTF-8 becomes U+FFFD.
-  std::string json_string(const std::string &text);
 } // namespace MixedCracks
 
 #endif

@@ -5,12 +5,13 @@
 // three.
 
 #include <base/errors.h>
-#include <base/finite_text.h>
 #include <base/names.h>
 
 #include <input/parameter_manual.h>
 #include <input/parameter_tree.h>
 #include <input/pattern_words.h>
+
+#include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <sstream>
@@ -96,27 +97,19 @@ namespace MixedCracks
     void
     print_json(std::ostream &out, const ParameterTree &tree)
     {
-      const char *separator = "";
-      out << "[";
+      nlohmann::ordered_json all = nlohmann::ordered_json::array();
       for (const ParameterEntry &entry : tree.entries())
-      {
-        Path subsections;
-        for (const std::string &name : entry.path)
-          subsections.push_back(json_string(name));
-        out << separator
-            << "\n  {\n    \"full_name\": " << json_string(entry.full_name())
-            << ",\n    \"subsections\": [" << join_names(subsections)
-            << "],\n    \"name\": " << json_string(entry.name)
-            << ",\n    \"value\": " << json_string(entry.value)
-            << ",\n    \"default_value\": " << json_string(entry.default_value)
-            << ",\n    \"allowed\": "
-            << json_string(pattern_in_words(entry.pattern_description))
-            << ",\n    \"pattern\": " << json_string(entry.pattern_description)
-            << ",\n    \"documentation\": " << json_string(entry.documentation)
-            << "\n  }";
-        separator = ",";
-      }
-      out << "\n]\n";
+        all.push_back({{"full_name", entry.full_name()},
+                       {"subsections", entry.path},
+                       {"name", entry.name},
+                       {"value", entry.value},
+                       {"default_value", entry.default_value},
+                       {"allowed", pattern_in_words(entry.pattern_description)},
+                       {"pattern", entry.pattern_description},
+                       {"documentation", entry.documentation}});
+      out << all.dump(
+               2, ' ', false, nlohmann::ordered_json::error_handler_t::replace)
+          << '\n';
     }
 
     // Formulas must not turn into emphasis or tags.

@@ -12,6 +12,8 @@
 #include <output/quantities.h>
 #include <output/summary.h>
 
+#include <nlohmann/json.hpp>
+
 #include <algorithm>
 #include <cmath>
 #include <sstream>
@@ -20,44 +22,23 @@ namespace MixedCracks
 {
   namespace
   {
-    // "key": value lines in the order they are added
-    class JsonObject
+    // in the order in which keys are set
+    using Json = nlohmann::ordered_json;
+
+    // with ten digits, whole numbers without a point; null where it is not
+    // finite, which JSON cannot say
+    Json
+    number(const double value)
     {
-    public:
-      void
-      add(const std::string &key, const std::string &value)
-      {
-        raw(key, json_string(value));
-      }
-
-      void
-      add(const std::string &key, const double value)
-      {
-        raw(key, json_number(value));
-      }
-
-      void
-      raw(const std::string &key, const std::string &value)
-      {
-        text +=
-          (text.empty() ? "  " : ",\n  ") + json_string(key) + ": " + value;
-      }
-
-      std::string
-      str() const
-      {
-        return "{\n" + text + "\n}";
-      }
-
-    private:
-      std::string text;
-    };
+      const std::string text = csv_number(value);
+      return text.empty() ? Json() : Json::parse(text);
+    }
 
 
 
     // those that the list has for that place
     void
-    add_quantities(JsonObject                       &json,
+    add_quantities(Json                             &json,
                    const Quantity::InSummary         place,
                    const Summary                    &summary,
                    const std::vector<StatisticsRow> &rows)
@@ -76,14 +57,14 @@ namespace MixedCracks
         }
         // what is only asked for may be unknown
         if (quantity.entry.empty() || std::isfinite(value))
-          json.add(quantity.column(summary.dimension), value);
+          json[quantity.column(summary.dimension)] = number(value);
       }
     }
 
 
 
     void
-    add_rows(JsonObject                       &json,
+    add_rows(Json                             &json,
              const Summary                    &summary,
              const std::vector<StatisticsRow> &rows)
     {
@@ -91,45 +72,47 @@ namespace MixedCracks
         return;
       const StatisticsRow &peak =
         rows[peak_row(rows, summary.without_equilibrium)];
-      const StatisticsRow &last = rows.back();
-      json.add("steps", last.step());
-      json.add("peak_force_N", peak.force_size());
-      json.add("displacement_at_peak_mm", peak["displacement"]);
-      json.add("time_at_peak_s", peak["time"]);
-      json.add("step_at_peak", peak.step());
-      json.add("remaining_force_fraction",
-               peak.force_size() > 0. ? last.force_size() / peak.force_size()
-                                      : 0.);
-      json.add("end_displacement_mm", last["displacement"]);
+      const StatisticsRow &last        = rows.back();
+      json["steps"]                    = last.step();
+      json["peak_force_N"]             = number(peak.force_size());
+      json["displacement_at_peak_mm"]  = number(peak["displacement"]);
+      json["time_at_peak_s"]           = number(peak["time"]);
+      json["step_at_peak"]             = peak.step();
+      json["remaining_force_fraction"] = number(
+        peak.force_size() > 0. ? last.force_size() / peak.force_size() : 0.);
+      json["end_displacement_mm"] = number(last["displacement"]);
       add_quantities(json, Quantity::InSummary::size, summary, rows);
       add_quantities(json, Quantity::InSummary::total, summary, rows);
       add_quantities(json, Quantity::InSummary::result, summary, rows);
     }
+
+
+
     // What a table in CSV has, but for fields that are empty: an object for
     // each row, with the names of the columns.
-    std::string
+    Json
     events_in_json(const std::string &table)
     {
       std::istringstream lines(table);
-      std::string        line, all;
+      std::string        line;
       std::getline(lines, line);
       const std::vector<std::string> columns = csv_fields(line);
+      Json                           all     = Json::array();
       while (std::getline(lines, line))
       {
         const std::vector<std::string> fields = csv_fields(line);
-        std::string                    object;
+        Json                           row    = Json::object();
         for (std::size_t i = 0; i < std::min(columns.size(), fields.size());
              ++i)
-          if (!fields[i].empty())
-          {
-            const bool is_text =
-              columns[i] == "event" || columns[i] == "boundary";
-            object += (object.empty() ? "" : ", ") + json_string(columns[i]) +
-                      ": " + (is_text ? json_string(fields[i]) : fields[i]);
-          }
-        all += (all.empty() ? "\n    {" : ",\n    {") + object + '}';
+          if (fields[i].empty())
+            continue;
+          else if (columns[i] == "event" || columns[i] == "boundary")
+            row[columns[i]] = fields[i];
+          else
+            row[columns[i]] = Json::parse(fields[i]);
+        all.push_back(row);
       }
-      return '[' + all + ']';
+      return all;
     }
   } // namespace
 
@@ -156,48 +139,43 @@ namespace MixedCracks
                 const std::vector<StatisticsRow> &rows,
                 const std::string                &events)
   {
-    JsonObject json;
-    json.add("program", std::string("mixed-cracks"));
-    json.add("version", summary.version);
-    json.add("revision", summary.revision);
-    json.add("deal_ii_version", summary.deal_ii_version);
-    json.add("case", summary.case_in_words);
-    json.add("formulation", summary.formulation);
-    json.add("kinematics", summary.kinematics);
-    json.add("pressure_law", summary.pressure_law);
-    json.add("coupling", summary.coupling);
-    json.add("linear_solver", summary.linear_solver);
-    json.add("ranks", summary.ranks);
-    json.add("finest_cell_mm", summary.cell_size);
-    json.add("length_scale_mm", summary.length_scale);
-    json.add("residual_stiffness", summary.residual_stiffness);
-    json.add("thickness_mm", summary.thickness);
+    Json json;
+    json["program"]            = "mixed-cracks";
+    json["version"]            = summary.version;
+    json["revision"]           = summary.revision;
+    json["deal_ii_version"]    = summary.deal_ii_version;
+    json["case"]               = summary.case_in_words;
+    json["formulation"]        = summary.formulation;
+    json["kinematics"]         = summary.kinematics;
+    json["pressure_law"]       = summary.pressure_law;
+    json["coupling"]           = summary.coupling;
+    json["linear_solver"]      = summary.linear_solver;
+    json["ranks"]              = summary.ranks;
+    json["finest_cell_mm"]     = number(summary.cell_size);
+    json["length_scale_mm"]    = number(summary.length_scale);
+    json["residual_stiffness"] = number(summary.residual_stiffness);
+    json["thickness_mm"]       = number(summary.thickness);
     add_rows(json, summary, rows);
-    json.raw("separated",
-             !summary.separated   ? "null"
-             : *summary.separated ? "true"
-                                  : "false");
-    json.raw("force_fell", summary.force_fell ? "true" : "false");
-    json.add("outcome", path_in_words(summary.cracks));
-    json.add("outcome_start", summary.cracks.start);
-    json.add("exit_reason", summary.exit_reason);
-    json.add("exit_status", summary.exit_status);
-    json.add("rejected_steps", summary.rejected_steps);
-    json.add("factorizations", summary.factorizations);
-    json.add("wall_time_s", summary.wall_time);
-    JsonObject phases;
+    json["separated"]  = summary.separated ? Json(*summary.separated) : Json();
+    json["force_fell"] = summary.force_fell;
+    json["outcome"]    = path_in_words(summary.cracks);
+    json["outcome_start"]     = summary.cracks.start;
+    json["exit_reason"]       = summary.exit_reason;
+    json["exit_status"]       = summary.exit_status;
+    json["rejected_steps"]    = summary.rejected_steps;
+    json["factorizations"]    = summary.factorizations;
+    json["wall_time_s"]       = number(summary.wall_time);
+    json["seconds_per_phase"] = Json::object();
     for (const auto &[name, seconds] : summary.phases)
-      phases.add(name, seconds);
-    json.raw("seconds_per_phase", summary.phases.empty() ? "{}" : phases.str());
+      json["seconds_per_phase"][name] = number(seconds);
     if (!events.empty())
-      json.raw("events", events_in_json(events));
-    std::string warnings;
-    for (const std::string &warning : summary.warnings)
-      warnings += (warnings.empty() ? "" : ", ") + json_string(warning);
-    json.raw("warnings", "[" + warnings + "]");
+      json["events"] = events_in_json(events);
+    json["warnings"] = summary.warnings;
 
     // a reader never sees half of it
-    const std::string problem = write_durably(file_name, json.str() + '\n');
+    const std::string problem = write_durably(
+      file_name,
+      json.dump(2, ' ', false, Json::error_handler_t::replace) + '\n');
     return problem.empty()
              ? ""
              : "Output/Directory: the summary cannot be written: " + problem +

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// What CSV and JSON files hold: names that read back as they were, and no
+// What CSV files hold: names that read back as they were, and no
 // number that is not finite.
 #include <base/finite_text.h>
 
@@ -16,15 +16,11 @@ namespace MixedCracks
     const double not_a_number = std::numeric_limits<double>::quiet_NaN();
   } // namespace
 
-  TEST(FiniteText, NumbersThatAreNotFiniteAreEmptyOrNull)
+  TEST(FiniteText, NumbersThatAreNotFiniteAreEmpty)
   {
     EXPECT_EQ(csv_number(1. / 3.), "0.3333333333");
-    EXPECT_EQ(json_number(1. / 3., 4), "0.3333");
     for (const double value : {infinity, -infinity, not_a_number})
-    {
       EXPECT_EQ(csv_number(value), "");
-      EXPECT_EQ(json_number(value), "null");
-    }
   }
 
   TEST(FiniteText, StreamsOfCsvFilesLeaveThemOut)
@@ -49,16 +45,5 @@ namespace MixedCracks
     EXPECT_EQ(csv_field("left"), "left");
     EXPECT_EQ(csv_fields("1,2\r"), (std::vector<std::string>{"1", "2"}));
     EXPECT_EQ(csv_fields("1,2,").size(), 3u);
-  }
-
-  TEST(FiniteText, JsonStringsAreJson)
-  {
-    EXPECT_EQ(json_string("a\"b\\c\n\x01"), "\"a\\\"b\\\\c\\u000a\\u0001\"");
-    EXPECT_EQ(json_string("\xc3\xa4\xe2\x82\xac\xf0\x9f\x98\x80"),
-              "\"\xc3\xa4\xe2\x82\xac\xf0\x9f\x98\x80\"");
-    // cut off, out of place, half of a pair, longer than need be
-    for (const char *text : {"\xc3", "\x80", "\xff", "\xc0\xaf"})
-      EXPECT_EQ(json_string(text).substr(0, 7), "\"\\ufffd") << text;
-    EXPECT_EQ(json_string("\xed\xa0\x80"), "\"\\ufffd\\ufffd\\ufffd\"");
   }
 } // namespace MixedCracks
