@@ -4,6 +4,9 @@
 
 #include <base/linear_algebra.h>
 
+#include <deal.II/lac/precondition.h>
+
+#include <memory>
 #include <vector>
 
 namespace MixedCracks
@@ -28,13 +31,33 @@ namespace MixedCracks
                 const LinearAlgebra::Vector &right_hand_side) const;
 
   private:
+    // dealii::DiagonalMatrix wants a vector that is not distributed here
+    struct Scaling
+    {
+      LinearAlgebra::Vector factors;
+
+      void
+      vmult(LinearAlgebra::Vector       &result,
+            const LinearAlgebra::Vector &vector) const
+      {
+        result = vector;
+        result.scale(factors);
+      }
+    };
+
+    using Polynomial =
+      dealii::PreconditionChebyshev<LinearAlgebra::SparseMatrix,
+                                    LinearAlgebra::Vector,
+                                    Scaling>;
+
+    void   take_diagonal();
     double largest_eigenvalue() const;
 
     const LinearAlgebra::SparseMatrix &matrix;
     const std::vector<bool>            chosen;
-    LinearAlgebra::Vector              inverse_diagonal; // 0 elsewhere
-    double                             largest = 0.; // scaled by the diagonal
-    mutable LinearAlgebra::Vector      residual, step, image;
+    /// one by the diagonal, 0 where nothing is smoothed
+    std::shared_ptr<Scaling> scaling;
+    Polynomial               polynomial;
   };
 } // namespace MixedCracks
 

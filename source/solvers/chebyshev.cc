@@ -6,18 +6,13 @@
 //   theta = (b + a)/2,   delta = (b - a)/2,
 //
 // T_k the Chebyshev polynomials: the least possible max |p(lambda)| over [a, b]
-// of all polynomials of that degree with p(0) = 1. By their three-term
-// recurrence, with sigma = theta/delta, rho_0 = 1/sigma and the residual r =
-// D^-1 (f - A x):
-//
-//   s_0 = r/theta,                          x += s_0
-//   rho_(k+1) = 1/(2 sigma - rho_k)
-//   s_(k+1) = rho_(k+1) rho_k s_k + (2 rho_(k+1)/delta) r,    x += s_(k+1)
-//
-// (Adams et al., J. Comput. Phys. 188 (2003)). Products with A only: no
-// factorisation, the same on any number of ranks. b = 1.1 lambda_max by ten
-// power iterations, a = lambda_max/6; degree 2 reduces all between to
-// 1/T_2(theta/delta) = 0.37 of it at most, and the coarse level has the rest.
+// of all polynomials of that degree with p(0) = 1 (Adams et al., J. Comput.
+// Phys. 188 (2003)); dealii::PreconditionChebyshev has the recurrence. Products
+// with A only: no factorisation, the same on any number of ranks. b = 1.1
+// lambda_max by ten power iterations, a = lambda_max/6; degree 2 reduces all
+// between to 1/T_2(theta/delta) = 0.37 of it at most, and the coarse level has
+// the rest. deal.II's own search for lambda_max begins with a constant vector,
+// nearly a rigid motion, which has hardly anything of that eigenvector.
 
 #include <Epetra_Vector.h>
 #include <solvers/chebyshev.h>
@@ -26,6 +21,7 @@
 
 namespace MixedCracks
 {
+  using namespace dealii;
   using Vector = LinearAlgebra::Vector;
 
   namespace
@@ -46,14 +42,16 @@ namespace MixedCracks
     const std::vector<bool>           &chosen)
     : matrix(matrix)
     , chosen(chosen)
-    , inverse_diagonal(matrix.locally_owned_range_indices(),
-                       matrix.get_mpi_communicator())
-    , residual(inverse_diagonal)
-    , step(inverse_diagonal)
-    , image(inverse_diagonal)
+    , scaling(std::make_shared<Scaling>())
   {
-    reinit();
-    largest = largest_eigenvalue();
+    scaling->factors.reinit(matrix.locally_owned_range_indices(),
+                            matrix.get_mpi_communicator());
+    take_diagonal();
+    Polynomial::AdditionalData options(
+      degree, safety_of_the_largest * smoothed_range, 0);
+    options.max_eigenvalue = safety_of_the_largest * largest_eigenvalue();
+    options.preconditioner = scaling;
+    polynomial.initialize(matrix, options);
   }
 
 
@@ -61,10 +59,18 @@ namespace MixedCracks
   void
   ChebyshevSmoother::reinit()
   {
+    take_diagonal();
+  }
+
+
+
+  void
+  ChebyshevSmoother::take_diagonal()
+  {
     Epetra_Vector diagonal(matrix.trilinos_matrix().RowMap());
     matrix.trilinos_matrix().ExtractDiagonalCopy(diagonal);
     for (std::size_t i = 0; i < chosen.size(); ++i)
-      inverse_diagonal.begin()[i] = chosen[i] ? 1. / diagonal[i] : 0.;
+      scaling->factors.begin()[i] = chosen[i] ? 1. / diagonal[i] : 0.;
   }
 
 
@@ -74,17 +80,16 @@ namespace MixedCracks
   double
   ChebyshevSmoother::largest_eigenvalue() const
   {
-    // power iteration, from a start without symmetry
+    Vector vector(scaling->factors), image(vector);
     for (std::size_t i = 0; i < chosen.size(); ++i)
-      step.begin()[i] = chosen[i] ? std::sin(1. + i) : 0.;
+      vector.begin()[i] = chosen[i] ? std::sin(1. + i) : 0.;
     double eigenvalue = 1.;
     for (unsigned int k = 0; k < n_power_iterations; ++k)
     {
-      step /= step.l2_norm();
-      matrix.vmult(residual, step);
-      residual.scale(inverse_diagonal);
-      eigenvalue = residual.l2_norm();
-      step       = residual;
+      vector /= vector.l2_norm();
+      matrix.vmult(image, vector);
+      scaling->vmult(vector, image);
+      eigenvalue = vector.l2_norm();
     }
     return eigenvalue;
   }
@@ -95,27 +100,6 @@ namespace MixedCracks
   ChebyshevSmoother::smooth(Vector       &solution,
                             const Vector &right_hand_side) const
   {
-    const double upper  = safety_of_the_largest * largest,
-                 lower  = largest / smoothed_range;
-    const double middle = 0.5 * (upper + lower), half = 0.5 * (upper - lower);
-    const double ratio = middle / half;
-    matrix.vmult(residual, solution);
-    residual.sadd(-1., 1., right_hand_side);
-    residual.scale(inverse_diagonal);
-    step = residual;
-    step *= 1. / middle;
-    solution.add(1., step);
-    double rho = 1. / ratio;
-    for (unsigned int k = 1; k < degree; ++k)
-    {
-      // the residual is kept scaled by the diagonal
-      matrix.vmult(image, step);
-      image.scale(inverse_diagonal);
-      residual.add(-1., image);
-      const double next = 1. / (2. * ratio - rho);
-      step.sadd(next * rho, 2. * next / half, residual);
-      solution.add(1., step);
-      rho = next;
-    }
+    polynomial.step(solution, right_hand_side);
   }
 } // namespace MixedCracks
