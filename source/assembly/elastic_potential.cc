@@ -134,7 +134,7 @@ namespace MixedCracks
     LinearAlgebra::Vector inverse_diagonal(right_hand_side);
     for (const auto i : right_hand_side.locally_owned_elements())
     {
-      const double value  = mass.diag_element(i);
+      const double value  = mass.el(i, i); // 0 without an entry
       inverse_diagonal(i) = value == 0. ? 1. : 1. / value;
     }
     inverse_diagonal.compress(VectorOperation::insert);
