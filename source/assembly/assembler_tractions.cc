@@ -55,7 +55,9 @@ namespace MixedCracks
                   material,
                   fields.layout.mixed)
         , phase_field(fields.phase_field.get_fe(), quadrature, material)
-        , constants(quadrature.size(), material.uniform_constants())
+        , constants(quadrature.size(),
+                    constants_at ? PointConstants{}
+                                 : material.uniform_constants())
       {}
 
       // Throws InputError, perhaps on one rank alone.
