@@ -12,6 +12,7 @@
 
 #include <deal.II/lac/affine_constraints.h>
 
+#include <discretization/boundary_ids.h>
 #include <discretization/fields.h>
 
 #include <functional>
@@ -66,6 +67,16 @@ namespace MixedCracks
         all.reinit(n_cells);
       all(cell) = static_cast<float>(value);
     }
+  };
+
+  /// The traction at a quadrature point of a face of the boundary.
+  template <int dim>
+  struct TractionPoint
+  {
+    dealii::Point<dim>     position; ///< before deformation, mm
+    dealii::Tensor<1, dim> normal;   ///< outward, before deformation
+    dealii::Tensor<1, dim> traction; ///< per undeformed area, MPa
+    double                 area;     ///< mm^2, in 2-d per mm of thickness: mm
   };
 
   /// The parallel loops over the cells. All vectors that are read have
@@ -210,6 +221,14 @@ namespace MixedCracks
     CellData<dim> cell_data(const Vector &elastic,
                             const Vector &lagged_phase_field,
                             const Vector &phase_field);
+
+    /// Of the stresses that are in equilibrium with @p lagged_phase_field, on
+    /// the faces of this rank. Throws the InputError of constants_at on all
+    /// ranks.
+    std::vector<TractionPoint<dim>>
+    tractions(const BoundaryIds &boundary,
+              const Vector      &elastic,
+              const Vector      &lagged_phase_field) const;
 
   private:
     using Cell = typename dealii::DoFHandler<dim>::active_cell_iterator;

@@ -11,6 +11,7 @@
 #include <discretization/vertex_dofs.h>
 
 #include <memory>
+#include <utility>
 #include <vector>
 
 namespace MixedCracks
@@ -23,9 +24,13 @@ namespace MixedCracks
     unsigned int       component;
     /// N, on the whole body; of which `component` is asked
     std::shared_ptr<dealii::Function<dim>> value;
+    /// a vertex of a set: it may hang, and be two on a slit, each with the
+    /// force
+    bool of_set = false;
   };
 
-  /// Forces on single vertices, dead loads.
+  /// Forces on single vertices, dead loads. That on a hanging vertex goes to
+  /// the nodes it follows, with its weights.
   template <int dim>
   class PointForces
   {
@@ -43,7 +48,8 @@ namespace MixedCracks
     }
 
     /// To be called when the mesh changed. Throws InputError on all ranks for a
-    /// point that is no vertex, or is two on a slit. Collective.
+    /// point that is no vertex, and for a single one that hangs or is two on a
+    /// slit. Collective.
     void reinit(const Fields<dim>                       &fields,
                 const dealii::AffineConstraints<double> &hanging_nodes);
 
@@ -53,9 +59,16 @@ namespace MixedCracks
     void add(double time, LinearAlgebra::Vector &nodal) const;
 
   private:
+    using WeightedDofs =
+      std::vector<std::pair<dealii::types::global_dof_index, double>>;
+
+    void require_one_vertex_each(const std::vector<VertexDofs> &owned,
+                                 MPI_Comm communicator) const;
+
     std::vector<PointForce<dim>> forces;
     double                       thickness = 1.;
-    std::vector<VertexDofs>      owned_dofs; // none or one for each force
+    // of each force those of its vertices that this rank owns
+    std::vector<WeightedDofs> dofs;
   };
 } // namespace MixedCracks
 

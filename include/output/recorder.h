@@ -20,6 +20,7 @@
 #include <output/slit_watch.h>
 #include <output/statistics.h>
 #include <output/summary.h>
+#include <output/traction_profiles.h>
 #include <output/watched_boundaries.h>
 
 #include <optional>
@@ -41,6 +42,7 @@ namespace MixedCracks
     std::vector<WatchedBoundary<dim>> watched{};
     /// see PointReactions
     std::vector<PrescribedPoint<dim>> held_points{};
+    TractionProfileOptions            tractions{};
   };
 
   /// Keeps what a run is to leave behind: the rows of statistics.csv, cracks
@@ -184,6 +186,7 @@ namespace MixedCracks
     EventTable              event_table;
     CrackOpening<dim>       crack_opening;
     CrackOpeningFile<dim>   crack_opening_file;
+    TractionProfiles<dim>   traction_profiles;
     PointDisplacements<dim> point_displacements;
     WatchedBoundaries<dim>  watched_boundaries;
     PointReactions<dim>     point_reactions;

@@ -6,6 +6,7 @@
 #include <output/event_parameters.h>
 #include <output/parameters.h>
 #include <output/point_displacement_parameters.h>
+#include <output/traction_profile_parameters.h>
 #include <output/watched_boundaries_parameters.h>
 
 #include <problem/boundary_conditions.h>
@@ -42,6 +43,7 @@ namespace MixedCracks
     CrackOpeningParameters<dim>      crack_opening;
     PointDisplacementParameters<dim> point_displacements;
     WatchedBoundariesParameters<dim> watched_boundaries;
+    TractionProfileParameters        traction_profiles;
     EventParameters                  events;
 
     Parameters()                              = default;

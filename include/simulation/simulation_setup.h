@@ -58,17 +58,26 @@ namespace MixedCracks
   prescribed_components(const Parameters<dim> &parameters,
                         unsigned int           n_components);
 
-  /// The entries of "Displacement at points", point sets as their points on
-  /// this mesh. @p stands_for_finer: the points of the run need not be there
+  /// @p entries with point sets as their points on this mesh.
+  /// @p stands_for_finer: the points of the run need not be there
   /// yet, and the nearest do. Throws InputError on all ranks for a set without
   /// a point. Collective where there are sets.
   template <int dim>
   std::vector<PointEntry<dim>>
-  placed_points(const Parameters<dim>            &parameters,
-                const dealii::Triangulation<dim> &triangulation,
-                bool                              stands_for_finer = false);
+  placed_points(const Parameters<dim>              &parameters,
+                const std::vector<PointEntry<dim>> &entries,
+                const dealii::Triangulation<dim>   &triangulation,
+                bool                                stands_for_finer = false);
 
-  /// For Constraints, from placed_points().
+  /// The entries of "Force at points", likewise, with the points that sets have
+  /// on the mesh before adaptation.
+  template <int dim>
+  std::vector<PointEntry<dim>>
+  points_with_forces(const Parameters<dim>            &parameters,
+                     const dealii::Triangulation<dim> &triangulation,
+                     bool stands_for_finer = false);
+
+  /// For Constraints, from "Displacement at points" by placed_points().
   template <int dim>
   std::vector<PrescribedPoint<dim>>
   prescribed_points(const Parameters<dim>            &parameters,
@@ -76,9 +85,13 @@ namespace MixedCracks
                     const dealii::Triangulation<dim> &triangulation,
                     bool                              stands_for_finer = false);
 
+  /// @p triangulation, @p stands_for_finer: see placed_points(). Collective
+  /// where there are sets.
   template <int dim>
-  Loads<dim> make_loads(const Parameters<dim> &parameters,
-                        unsigned int           n_components);
+  Loads<dim> make_loads(const Parameters<dim>            &parameters,
+                        unsigned int                      n_components,
+                        const dealii::Triangulation<dim> &triangulation,
+                        bool stands_for_finer = false);
 
   /// The fluid in the cracks; null where there is none.
   template <int dim>
@@ -102,12 +115,13 @@ namespace MixedCracks
                                double                 cell_size);
 
   /// Evaluate what is applied at t = 0, prescribed values and loads, wherever
-  /// the run does. Throws InputError on all ranks for a value that is not
-  /// finite. Collective.
+  /// the run does. @p stands_for_finer: see placed_points(). Throws InputError
+  /// on all ranks for a value that is not finite. Collective.
   template <int dim>
   void try_loads_at_start(const Parameters<dim>  &parameters,
                           const Fields<dim>      &fields,
-                          const Constraints<dim> &constraints);
+                          const Constraints<dim> &constraints,
+                          bool                    stands_for_finer);
 
   /// At rest, with the initial phase field.
   template <int dim>

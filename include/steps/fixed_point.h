@@ -63,6 +63,9 @@ namespace MixedCracks
 
     Phase phase_of(const Vector &difference) const;
 
+    /// Whether it leads against that of the step before.
+    bool turns_back(const Vector &difference) const;
+
     void remember(Phase phase, const Vector &x, const Vector &difference);
 
     Vector anderson_step(const Vector &difference) const;

@@ -45,6 +45,9 @@ namespace MixedCracks
     , crack_opening_file(options.output.directory,
                          crack_opening.lines(),
                          fields.communicator())
+    , traction_profiles(options.output.directory,
+                        options.tractions,
+                        fields.communicator())
     , point_displacements(fields, options.points.points())
     , watched_boundaries(fields,
                          constraints,
@@ -123,6 +126,7 @@ namespace MixedCracks
     crack_path_writer.open(length_scale);
     event_table.open();
     crack_opening_file.open();
+    traction_profiles.open();
   }
 
 
@@ -186,6 +190,7 @@ namespace MixedCracks
   {
     external_work = row["external_work"];
     record_opening(row, state);
+    traction_profiles.add(row.step(), state, *assembler);
     statistics.add(row);
   }
 
@@ -277,6 +282,8 @@ namespace MixedCracks
                           {"crack_opening.csv", crack_opening_file.rows()}};
     if (!event_table.rows().empty())
       record.tables["events.csv"] = event_table.rows();
+    if (!traction_profiles.rows().empty())
+      record.tables["traction_profiles.csv"] = traction_profiles.rows();
   }
 
 
@@ -301,6 +308,7 @@ namespace MixedCracks
     crack_path_writer.restore(length_scale, table("crack_path.csv"));
     crack_opening_file.restore(table("crack_opening.csv"));
     event_table.restore(table("events.csv"));
+    traction_profiles.restore(table("traction_profiles.csv"));
     field_output.restore(record.field_files);
     // a run without fields kept nothing of its peak, and this state is another
     if (peak_step < record.rows.back().step())

@@ -8,7 +8,7 @@
 //     symmetry               u . n = 0 on a plane
 //   Displacement at points   u_c = u_D(x, t) at a vertex, mm
 //   Phase field at points    phi = phi_D(x, t) at a vertex, within 0 and 1
-//   Force at points          P_c(x, t) w_c at a vertex, N
+//   Force at points          P_c(x, t) w_c at a vertex, each one of a set, N
 //   Traction                 ( tau(x, t), w ) on a boundary, tau in MPa
 //     component normal       tau n, n the outward normal before deformation
 //   Pressure                 ( -p(x, t) n, w ) on a boundary, p in MPa; finite
@@ -51,6 +51,27 @@ namespace MixedCracks
     const std::string traction_name   = "Boundary conditions/Traction";
     const std::string pressure_name   = "Boundary conditions/Pressure";
     const std::string body_force_name = "Boundary conditions/Body force";
+
+
+
+    template <int dim>
+    void
+    require_known_sets(const std::vector<PointEntry<dim>> &entries,
+                       const std::vector<std::string>     &point_sets,
+                       const std::string                  &parameter)
+    {
+      for (const PointEntry<dim> &entry : entries)
+        if (!entry.set.empty() &&
+            std::find(point_sets.begin(), point_sets.end(), entry.set) ==
+              point_sets.end())
+          throw InputError(parameter + ": found '" + entry.set +
+                           "', allowed is a point of " + std::to_string(dim) +
+                           " numbers, as '" + (dim == 2 ? "0, 1" : "0, 1, 2") +
+                           "', or the name of one of Geometry/Point sets, " +
+                           (point_sets.empty()
+                              ? "of which there are none."
+                              : "which are " + join_names(point_sets) + "."));
+    }
   } // namespace
 
 
@@ -106,7 +127,12 @@ namespace MixedCracks
       "Force at points",
       point_force_text,
       "Forces on single vertices of the mesh: 'point : component : expression "
-      "; ...' with components x, y, z, all, as in '4, 2 : y : -10*t'. They are "
+      "; ...' with components x, y, z, all, as in '4, 2 : y : -10*t', or with "
+      "the name of one of Geometry/Point sets in the place of the point. The "
+      "force of a set acts on each of its vertices, as *CLOAD of Abaqus: n of "
+      "them carry n times as much, on a slit both faces; of a finer mesh the "
+      "set may have more, but those that adaptation adds have no force. Forces "
+      "of several entries are added. They are "
       "forces on the whole body, in 2-d on all of its thickness, and dead "
       "loads. Displacement and stress under a point grow without limit as "
       "cells shrink. Unit: N.");
@@ -175,7 +201,9 @@ namespace MixedCracks
   BoundaryConditions<dim>::point_forces() const
   {
     return point_entries(
-      read_entries<dim>(point_force_text, true, "", forces_name), forces_name);
+      read_entries<dim>(point_force_text, true, "", forces_name),
+      forces_name,
+      /*with_sets=*/true);
   }
 
 
@@ -309,20 +337,10 @@ namespace MixedCracks
       require_known(entry.boundary, displacement_name);
       any_displacement = any_displacement || entry.component != dim;
     }
-    const auto points    = point_displacements();
-    const bool any_point = !points.empty();
-    for (const PointEntry<dim> &entry : points)
-      if (!entry.set.empty() &&
-          std::find(point_sets.begin(), point_sets.end(), entry.set) ==
-            point_sets.end())
-        throw InputError(points_name + ": found '" + entry.set +
-                         "', allowed is a point of " + std::to_string(dim) +
-                         " numbers, as '" + (dim == 2 ? "0, 1" : "0, 1, 2") +
-                         "', or the name of one of Geometry/Point sets, " +
-                         (point_sets.empty()
-                            ? "of which there are none."
-                            : "which are " + join_names(point_sets) + "."));
-    if (!any_displacement && !any_point)
+    const auto points = point_displacements();
+    require_known_sets(points, point_sets, points_name);
+    require_known_sets(point_forces(), point_sets, forces_name);
+    if (!any_displacement && points.empty())
       throw InputError(displacement_name +
                        ": no displacement is prescribed anywhere, here or in "
                        "Displacement at points, so the body can move freely. "
@@ -335,7 +353,6 @@ namespace MixedCracks
     for (const auto &pressure : pressures())
       require_known(pressure.first, pressure_name);
     body_force(dim);
-    point_forces();
     point_phase_fields();
   }
 

@@ -99,8 +99,8 @@ namespace MixedCracks
       "condition is an expression in x, y, z (mm; comparisons, && and ||). A "
       "set has all vertices of the present cells where it holds, one at least, "
       "and more when the mesh becomes finer there; hanging nodes follow their "
-      "neighbours. Boundary conditions/Displacement at points takes the names "
-      "in the place of a point.",
+      "neighbours. Boundary conditions/Displacement at points and Force at "
+      "points take the names in the place of a point.",
       dealii::Patterns::Anything());
   }
 

@@ -68,7 +68,10 @@ namespace MixedCracks
   void
   try_expressions_at_start(const Body<dim> &body, const bool only_check)
   {
-    try_loads_at_start(body.parameters, body.fields, body.constraints);
+    try_loads_at_start(body.parameters,
+                       body.fields,
+                       body.constraints,
+                       body.not_built.has_value());
     if (only_check && body.not_built)
       try_initial_phase_field(body.parameters, body.fields, body.cell_size);
     else if (only_check)

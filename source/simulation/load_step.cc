@@ -29,9 +29,10 @@ namespace MixedCracks
     Loads<dim>
     loads_on(const Body<dim> &body, std::shared_ptr<FluidAssembler<dim>> fluid)
     {
-      Loads<dim> loads = make_loads(
-        body.parameters, body.fields.elastic.get_fe().n_components());
-      loads.fluid = std::move(fluid);
+      Loads<dim> loads = make_loads(body.parameters,
+                                    body.fields.elastic.get_fe().n_components(),
+                                    body.triangulation);
+      loads.fluid      = std::move(fluid);
       return loads;
     }
   } // namespace

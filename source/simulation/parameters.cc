@@ -30,6 +30,7 @@ namespace MixedCracks
     crack_opening.add_parameters(prm);
     point_displacements.add_parameters(prm);
     watched_boundaries.add_parameters(prm);
+    traction_profiles.add_parameters(prm);
     events.add_parameters(prm);
   }
 
@@ -101,6 +102,7 @@ namespace MixedCracks
     crack_opening.check();
     point_displacements.check();
     watched_boundaries.boundaries(boundaries);
+    traction_profiles.boundaries(boundaries);
     events.check(dim);
 
     std::vector<std::string> prescribed;

@@ -23,6 +23,10 @@ namespace MixedCracks
     options.finite_strain = parameters.model.strain.is_finite();
     options.watched       = parameters.watched_boundaries.boundaries(
       parameters.geometry.chosen().boundary_ids());
+    options.tractions = {parameters.traction_profiles.boundaries(
+                           parameters.geometry.chosen().boundary_ids()),
+                         parameters.traction_profiles.every,
+                         parameters.thickness_factor()};
     for (const auto &entry :
          parameters.boundary_conditions.point_displacements())
       options.held_points.push_back(
@@ -73,6 +77,9 @@ namespace MixedCracks
       dim, parameters.output, !parameters.crack_opening.lines().empty());
     if (!parameters.events.kinds().empty())
       names.insert(names.end(), {"events.csv", "events.csv.part"});
+    if (!parameters.traction_profiles.text.empty())
+      names.insert(names.end(),
+                   {"traction_profiles.csv", "traction_profiles.csv.part"});
     return names;
   }
 

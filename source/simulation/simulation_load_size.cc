@@ -132,8 +132,12 @@ namespace MixedCracks
     {
       double stress = 0.;
       add(stress,
-          size_of<dim>(
-            entry.component, entry.expression, nullptr, {entry.point}, time));
+          size_of<dim>(entry.component,
+                       entry.expression,
+                       nullptr,
+                       entry.set.empty() ? std::vector<Point<dim>>{entry.point}
+                                         : places,
+                       time));
       result.points = std::max(result.points, stress / area);
     }
     if (const auto pressure = parameters.fluid.pressure())

@@ -99,26 +99,6 @@ namespace MixedCracks
     {
       load = load ? std::make_shared<SumOfFunctions<dim>>(load, more) : more;
     }
-
-
-
-    // A value that is not finite is refused by the run that needs it, which may
-    // be none: here it is but something else than 0.
-    template <int dim>
-    bool
-    is_not_zero(const Function<dim> &function,
-                const Point<dim>    &point,
-                const unsigned int   component)
-    {
-      try
-      {
-        return function.value(point, component) != 0.;
-      }
-      catch (const InputError &)
-      {
-        return true;
-      }
-    }
   } // namespace
 
 
@@ -232,63 +212,11 @@ namespace MixedCracks
 
 
   template <int dim>
-  std::vector<PointEntry<dim>>
-  placed_points(const Parameters<dim>    &parameters,
-                const Triangulation<dim> &triangulation,
-                const bool                stands_for_finer)
-  {
-    const PointSets<dim>        &sets = parameters.geometry.point_sets();
-    std::vector<PointEntry<dim>> result;
-    for (PointEntry<dim> entry :
-         parameters.boundary_conditions.point_displacements())
-    {
-      if (entry.set.empty())
-        result.push_back(entry);
-      else
-        for (const Point<dim> &point :
-             stands_for_finer ? sets.points_near(entry.set, triangulation)
-                              : sets.points_of(entry.set, triangulation))
-        {
-          entry.point = point;
-          result.push_back(entry);
-        }
-    }
-    return result;
-  }
-
-
-
-  template <int dim>
-  std::vector<PrescribedPoint<dim>>
-  prescribed_points(const Parameters<dim>    &parameters,
-                    const unsigned int        n_components,
-                    const Triangulation<dim> &triangulation,
-                    const bool                stands_for_finer)
-  {
-    constexpr unsigned int            n_samples = 16;
-    std::vector<PrescribedPoint<dim>> result;
-    for (const auto &entry :
-         placed_points(parameters, triangulation, stands_for_finer))
-    {
-      auto value = std::make_shared<ExpressionFunction<dim>>(n_components);
-      value->set(entry.component, entry.expression);
-      // the expression in t at the point: seen often enough
-      bool moves = false;
-      for (unsigned int i = 0; i <= n_samples && !moves; ++i)
-      {
-        value->set_time(parameters.load.end_time * i / n_samples);
-        moves = is_not_zero(*value, entry.point, entry.component);
-      }
-      result.push_back({entry.point, entry.component, value, moves, entry.set});
-    }
-    return result;
-  }
-
-
-
-  template <int dim>
   Loads<dim>
-  make_loads(const Parameters<dim> &parameters, const unsigned int n_components)
+  make_loads(const Parameters<dim>    &parameters,
+             const unsigned int        n_components,
+             const Triangulation<dim> &triangulation,
+             const bool                stands_for_finer)
   {
     const auto &conditions = parameters.boundary_conditions;
     const auto  ids        = parameters.geometry.chosen().boundary_ids();
@@ -304,11 +232,13 @@ namespace MixedCracks
       for (const types::boundary_id id : ids.at(boundary))
         add_load<dim>(loads.pressures[id], pressure);
     std::vector<PointForce<dim>> forces;
-    for (const auto &entry : conditions.point_forces())
+    for (const auto &entry :
+         points_with_forces(parameters, triangulation, stands_for_finer))
     {
       auto value = std::make_shared<ExpressionFunction<dim>>(n_components);
       value->set(entry.component, entry.expression);
-      forces.push_back({entry.point, entry.component, value});
+      forces.push_back(
+        {entry.point, entry.component, value, !entry.set.empty()});
     }
     loads.at_points = {forces, parameters.thickness_factor()};
     return loads;
@@ -337,11 +267,8 @@ namespace MixedCracks
   template double finest_cell_size(const Triangulation<dim> &, MPI_Comm);      \
   template std::vector<PrescribedComponent<dim>> prescribed_components(        \
     const Parameters<dim> &, unsigned int);                                    \
-  template std::vector<PointEntry<dim>> placed_points(                         \
-    const Parameters<dim> &, const Triangulation<dim> &, bool);                \
-  template std::vector<PrescribedPoint<dim>> prescribed_points(                \
+  template Loads<dim> make_loads(                                              \
     const Parameters<dim> &, unsigned int, const Triangulation<dim> &, bool);  \
-  template Loads<dim> make_loads(const Parameters<dim> &, unsigned int);       \
   template std::shared_ptr<FluidAssembler<dim>> make_fluid(                    \
     const Parameters<dim> &, const Fields<dim> &);
   INSTANTIATE(2)

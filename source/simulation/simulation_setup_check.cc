@@ -89,10 +89,12 @@ namespace MixedCracks
       return {};
     }
     std::vector<Point<dim>> points;
-    for (const auto &entry : placed_points(parameters, triangulation, true))
-      points.push_back(entry.point);
-    for (const auto &entry : parameters.boundary_conditions.point_forces())
-      points.push_back(entry.point);
+    for (const auto &entries :
+         {parameters.boundary_conditions.point_displacements(),
+          parameters.boundary_conditions.point_forces()})
+      for (const auto &entry :
+           placed_points(parameters, entries, triangulation, true))
+        points.push_back(entry.point);
     for (const auto &entry :
          parameters.boundary_conditions.point_phase_fields())
       points.push_back(entry.point);

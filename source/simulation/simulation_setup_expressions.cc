@@ -99,7 +99,8 @@ namespace MixedCracks
   void
   try_loads_at_start(const Parameters<dim>  &parameters,
                      const Fields<dim>      &fields,
-                     const Constraints<dim> &constraints)
+                     const Constraints<dim> &constraints,
+                     const bool              stands_for_finer)
   {
     LinearAlgebra::Vector values = fields.owned_vector(fields.elastic_dofs);
     constraints.apply_prescribed(0., values);
@@ -107,7 +108,8 @@ namespace MixedCracks
     PhaseFieldPoints<dim> phase_field_points(parameters.boundary_conditions);
     phase_field_points.reinit(fields, constraints);
     phase_field_points.add(0., phase_field);
-    Loads<dim> loads = make_loads(parameters, dim);
+    Loads<dim> loads = make_loads(
+      parameters, dim, fields.elastic.get_triangulation(), stands_for_finer);
     loads.at_points.reinit(fields, constraints.elastic_hanging_nodes());
     loads.at_points.add(0., values);
     const auto fluid = parameters.fluid.pressure();
@@ -119,8 +121,10 @@ namespace MixedCracks
 
   template void try_loads_at_start(const Parameters<2> &,
                                    const Fields<2> &,
-                                   const Constraints<2> &);
+                                   const Constraints<2> &,
+                                   bool);
   template void try_loads_at_start(const Parameters<3> &,
                                    const Fields<3> &,
-                                   const Constraints<3> &);
+                                   const Constraints<3> &,
+                                   bool);
 } // namespace MixedCracks

@@ -218,10 +218,11 @@ namespace MixedCracks
             piece.corners[v] = cell->face(face)->vertex(v);
           faces.push_back(piece);
         }
-    auto points =
-      placed_points(parameters, fields.phase_field.get_triangulation());
-    const auto forces = parameters.boundary_conditions.point_forces();
-    points.insert(points.end(), forces.begin(), forces.end());
+    auto       entries = parameters.boundary_conditions.point_displacements();
+    const auto forces  = parameters.boundary_conditions.point_forces();
+    entries.insert(entries.end(), forces.begin(), forces.end());
+    const auto points = placed_points(
+      parameters, entries, fields.phase_field.get_triangulation());
     for_each_node(fields,
                   [&](const types::global_dof_index dof,
                       const Point<dim>             &position,

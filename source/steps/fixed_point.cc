@@ -13,6 +13,10 @@
 //              type II (Walker and Ni, SIAM J. Numer. Anal. 49 (2011)), below,
 //              where it goes farther than over-relaxation or f shrinks well.
 //              Where its step leads against f, the phase is growing after all.
+//              Where f turns back, cosine < -0.5, and has been smooth for as
+//              long as is remembered, it is taken however far it goes: x +
+//              omega f may go to and fro for ever, from an eigenvalue of 1 -
+//              2/omega on, -1/3 for omega = 1.5.
 //   unrelated  a front that moves by a cell per iteration, whose differences
 //              have nothing to do with each other: x + omega f, omega the
 //              over-relaxation.
@@ -77,6 +81,15 @@ namespace MixedCracks
     return std::abs(cosine) > related || now < clear_reduction * before
              ? Phase::smooth
              : Phase::unrelated;
+  }
+
+
+
+  bool
+  FixedPointAcceleration::turns_back(const Vector &difference) const
+  {
+    return difference * last_difference <
+           -related * difference.l2_norm() * last_difference.l2_norm();
   }
 
 
@@ -161,7 +174,10 @@ namespace MixedCracks
     const bool is_converging =
       has_last &&
       difference.l2_norm() < clear_reduction * last_difference.l2_norm();
+    const bool has_turned = has_last && turns_back(difference);
     remember(phase, x, difference);
+    const bool goes_to_and_fro =
+      has_turned && changes_of_x.size() == options.depth;
 
     // |step| <= longest |f|: an extrapolation is believed only so far
     const double length = difference.l2_norm();
@@ -180,7 +196,8 @@ namespace MixedCracks
         phase = Phase::growing;
         remember(phase, x, difference);
       }
-      else if (is_converging || wanted > options.over_relaxation * length)
+      else if (is_converging || goes_to_and_fro ||
+               wanted > options.over_relaxation * length)
       {
         step = by_anderson;
         if (wanted > longest * length)

@@ -383,6 +383,19 @@ BY_POSITION = [
         (POINT_SETS, "pin : x > 5"), (AT_POINTS, "bin : x : 0")],
             AT_POINTS, "'bin'", "which are pin"),
     entry(AT_POINTS, "pin : x : 0", "'pin'", "there are none"),
+    entry(FORCES, "pin : x : 0", "'pin'", "there are none"),
+    several("a force on an unknown point set", [
+        (POINT_SETS, "pin : x > 5"), (FORCES, "bin : x : 1")],
+            FORCES, "'bin'", "which are pin"),
+    several("a force on a point set without points", [
+        (POINT_SETS, "pin : x > 30"), (FORCES, "pin : x : 1")],
+            POINT_SETS, "'pin : x > 30'", r"nearest are \(20, "),
+    several("two forces on a point set", [
+        (POINT_SETS, "pin : x > 5"), (FORCES, "pin : x : 1 ; pin : all : 1")],
+            FORCES, "'pin'", "a second entry"),
+    several("a force on a point set that is not finite", [
+        (POINT_SETS, "pin : x > 19.9"), (FORCES, "pin : y : 1/(y - 28)")],
+            FORCES, FINITE),
 ]
 
 MODEL = [
@@ -478,6 +491,9 @@ CONDITIONS = [
           "point of 2 numbers"),
     entry("Output/Watched boundaries", "top moment about 1, y", "'y'", "a number"),
     entry("Output/Watched boundaries", "top moment", "'top moment'", "moment about"),
+    entry("Output/Traction profiles", "tpo", "'tpo'", "did you mean 'top'"),
+    entry("Output/Traction profiles", "top ; hole ; top", "'top' twice"),
+    value("Output/Traction profiles every", "0", "found '0'", "at least 1"),
     entry("Boundary conditions/Body force", "x : 1; all : 2", "a second entry"),
     entry("Boundary conditions/Traction", "right : x : log(y-3)", FINITE, "x = 20"),
     entry("Boundary conditions/Body force", "x : 1 : 2", "component : expression"),

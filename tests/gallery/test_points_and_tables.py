@@ -126,6 +126,26 @@ class CompactTension(Case):
             self.assertAlmostEqual(self.last[name], 0., delta=1e-3)
 
 
+class CompactTensionFracture(Case):
+    """Onset of a crack in the specimen, pulled by rigid pins."""
+
+    def test_it_breaks_at_its_toughness(self):
+        self.run_case(GALLERY / "compact_tension_fracture.prm")
+        force = max(row["reaction_upper_pin_y_N"] for row in self.rows)
+        E, nu, B, W, x = 210000., 0.3, 20., 40., 0.5
+        f = (2 + x) * (0.886 + 4.64 * x - 13.32 * x**2 + 14.72 * x**3 - 5.6 * x**4) \
+            / (1 - x)**1.5
+        tough = (E / (1 - nu**2) * 2.7 * (1 + 3. / 8. / 4.))**0.5
+        self.assertAlmostEqual(force / (B * W**0.5) * f / tough, 1., delta=0.03)
+        # it has run, and the pins carry all of it
+        self.assertLess(self.last["reaction_upper_pin_y_N"], 0.96 * force)
+        for row in self.rows:
+            self.assertAlmostEqual(row["reaction_upper_pin_y_N"],
+                                   -row["reaction_lower_pin_y_N"], delta=1e-3)
+            for name in ("reaction_1_x_N", "reaction_2_x_N"):
+                self.assertAlmostEqual(row[name], 0., delta=0.01 * force)
+
+
 class Tables(Case):
     """Loads over time from a file."""
 

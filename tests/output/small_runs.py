@@ -47,6 +47,7 @@ subsection Output
   set Checkpoint every = 1
   set Fields every     = 1
   set Crack opening    = 0.1,0.5 : 0.3,0.5 : 3
+  set Traction profiles = top ; left, "lower"
 end
 """
 

@@ -13,7 +13,8 @@ import tempfile
 import small_runs
 from small_runs import content, table_of, text_of
 
-TABLES = ("crack_path.csv", "crack_opening.csv", "statistics.csv")
+TABLES = ("crack_path.csv", "crack_opening.csv", "traction_profiles.csv",
+          "statistics.csv")
 START = 'left, "lower"'
 
 

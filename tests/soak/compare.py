@@ -45,6 +45,7 @@ MAY_DIFFER = {
     },
     "crack_path.csv": {},
     "crack_opening.csv": {},
+    "traction_profiles.csv": {},
 }
 
 # Figures of the mesh that are compared up to the step in which a crack runs through, but not

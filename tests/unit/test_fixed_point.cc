@@ -180,6 +180,21 @@ TEST(FixedPoint, DoesNotSlowDownAFront)
 
 
 
+// With x + 1.5 (g(x) - x), differences from the solution grow by a quarter.
+TEST(FixedPoint, SettlesWhereDifferencesTurnBack)
+{
+  const Map alternating = [](const unsigned int i, const double x) {
+    return i - 0.5 * (x - i);
+  };
+  auto x = start();
+  EXPECT_LE(iterations({1.5, 20., 5}, alternating, x), 40u);
+  const std::vector<double> found = gathered(x);
+  for (unsigned int i = 0; i < n_unknowns; ++i)
+    EXPECT_NEAR(found[i], i, 1e-6);
+}
+
+
+
 TEST(FixedPoint, ForgetsWhenItIsRestarted)
 {
   FixedPointAcceleration acceleration(accelerated);

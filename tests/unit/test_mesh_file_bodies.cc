@@ -101,6 +101,58 @@ TEST(MeshFileBodies, TwoInstancesTied)
 
 
 
+// Plates of n x n cells, one on the other: all of the nodes that are tied have
+// one z, and many of them one x.
+TEST(MeshFileBodies, TenThousandNodesTied)
+{
+  constexpr unsigned int n    = 100;
+  const auto             node = [](unsigned int i, unsigned int j, int k) {
+    return std::to_string(1 + i + (n + 1) * (j + (n + 1) * k));
+  };
+  std::ostringstream text;
+  text << "*HEADING\n*PART, NAME=Plate\n*NODE\n";
+  for (int k = 0; k < 2; ++k)
+    for (unsigned int j = 0; j <= n; ++j)
+      for (unsigned int i = 0; i <= n; ++i)
+        text << node(i, j, k) << ", " << i << ", " << j << ", " << k << '\n';
+  text << "*ELEMENT, TYPE=C3D8, ELSET=all\n";
+  for (unsigned int j = 0; j < n; ++j)
+    for (unsigned int i = 0; i < n; ++i)
+    {
+      text << 1 + i + n * j;
+      for (int k = 0; k < 2; ++k)
+        text << ", " << node(i, j, k) << ", " << node(i + 1, j, k) << ", "
+             << node(i + 1, j + 1, k) << ", " << node(i, j + 1, k);
+      text << '\n';
+    }
+  text << "*SURFACE, NAME=low\nall, S1\n*SURFACE, NAME=high\nall, S2\n"
+       << "*END PART\n*ASSEMBLY, NAME=A\n";
+  for (const char *const place :
+       {"One, PART=Plate\n", "Two, PART=Plate\n0,0,1\n"})
+    text << "*INSTANCE, NAME=" << place << "*END INSTANCE\n";
+  const auto read = [&](const std::string &tied, Triangulation<3> &mesh) {
+    const auto geometry =
+      mesh_file<3>({written(text.str() + "*END ASSEMBLY\n" + tied), "", ""});
+    geometry->create(mesh);
+    return geometry->boundary_ids();
+  };
+  Triangulation<3> mesh;
+  const auto       ids = read("*TIE, NAME=T\nTwo.low, One.high\n", mesh);
+  EXPECT_EQ(mesh.n_active_cells(), 2 * n * n);
+  EXPECT_EQ(mesh.n_vertices(), 3 * (n + 1) * (n + 1));
+  unsigned int n_outer = 0, n_low = 0;
+  for (const auto &face : mesh.active_face_iterators())
+    if (face->at_boundary())
+    {
+      ++n_outer;
+      n_low += ids.at("One.low").contains(face->boundary_id());
+    }
+  EXPECT_EQ(n_outer, 2 * n * n + 8 * n);
+  EXPECT_EQ(n_low, n * n);
+}
+
+
+
 TEST(MeshFileBodies, RefusedOnes)
 {
   const std::string one = part + instance("One", "");

@@ -110,7 +110,8 @@ namespace MixedCracks
         fields,
         constraints,
         *assembler,
-        make_loads(parameters, fields.elastic.get_fe().n_components()),
+        make_loads(
+          parameters, fields.elastic.get_fe().n_components(), triangulation),
         timer);
       const LinearOutcome analysis = elastic_step->reinit();
       EXPECT_TRUE(analysis.success) << analysis.reason;

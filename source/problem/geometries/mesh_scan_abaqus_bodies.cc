@@ -18,6 +18,9 @@
 
 #include <base/text.h>
 
+#include <deal.II/base/bounding_box.h>
+#include <deal.II/numerics/rtree.h>
+
 #include <problem/geometries/mesh_scan_abaqus.h>
 
 #include <algorithm>
@@ -41,6 +44,44 @@ namespace MixedCracks
         std::replace(line.begin(), line.end(), ',', ' ');
         return numbers_of(line);
       }
+
+
+
+      /// Some of the nodes of a file, found by their position.
+      class NodesByPlace
+      {
+      public:
+        NodesByPlace(const MeshContents              &contents,
+                     const std::vector<unsigned int> &nodes)
+        {
+          std::vector<Entry> entries;
+          for (const unsigned int node : nodes)
+            entries.emplace_back(contents.nodes[node].position, node);
+          tree = dealii::pack_rtree(entries);
+        }
+
+        /// Those at most @p limit from @p place, ascending.
+        std::vector<unsigned int>
+        near(const dealii::Point<3> &place, const double limit) const
+        {
+          dealii::BoundingBox<3> around(std::make_pair(place, place));
+          around.extend(limit);
+          std::vector<Entry> entries;
+          tree.query(boost::geometry::index::intersects(around),
+                     std::back_inserter(entries));
+          std::vector<unsigned int> result;
+          for (const auto &[position, node] : entries)
+            if (position.distance(place) <= limit)
+              result.push_back(node);
+          std::sort(result.begin(), result.end());
+          return result;
+        }
+
+      private:
+        using Entry = std::pair<dealii::Point<3>, unsigned int>;
+
+        dealii::RTree<Entry> tree;
+      };
     } // namespace
 
 
@@ -242,19 +283,17 @@ namespace MixedCracks
       std::vector<unsigned int> becomes(contents.nodes.size());
       for (unsigned int i = 0; i < becomes.size(); ++i)
         becomes[i] = i;
+      const NodesByPlace kept_by_place(contents, kept);
       for (const unsigned int node : moved)
       {
-        const dealii::Point<3> place = contents.nodes[node].position;
-        const auto             partner =
-          std::find_if(kept.begin(), kept.end(), [&](const unsigned int other) {
-            return contents.nodes[other].position.distance(place) <= limit;
-          });
-        if (partner == kept.end())
+        const auto partners =
+          kept_by_place.near(contents.nodes[node].position, limit);
+        if (partners.empty())
           return what + ", but node " +
                  std::to_string(contents.nodes[node].number) +
                  " of the first meets none of the second: only meshes that "
                  "fit node by node become one";
-        becomes[node] = *partner;
+        becomes[node] = partners.front();
       }
       const auto rename = [&](std::vector<unsigned int> &nodes) {
         for (unsigned int &node : nodes)
@@ -282,33 +321,25 @@ namespace MixedCracks
     std::string
     AbaqusReader::check_touching() const
     {
-      std::vector<unsigned int> by_x;
-      std::set<unsigned int>    used;
+      std::set<unsigned int> used;
       for (const MeshContents::Cell &cell : contents.cells)
         used.insert(cell.nodes.begin(), cell.nodes.end());
-      by_x.assign(used.begin(), used.end());
-      const auto x_of = [&](const unsigned int node) {
-        return contents.nodes[node].position[0];
-      };
-      std::sort(by_x.begin(), by_x.end(), [&](unsigned int i, unsigned int j) {
-        return x_of(i) < x_of(j);
-      });
-      const double limit = tolerance();
-      for (std::size_t i = 0; i < by_x.size(); ++i)
-        for (std::size_t k = i + 1;
-             k < by_x.size() && x_of(by_x[k]) - x_of(by_x[i]) <= limit;
-             ++k)
+      const NodesByPlace by_place(contents, {used.begin(), used.end()});
+      const double       limit = tolerance();
+      for (const unsigned int node : used)
+      {
+        const auto &one = contents.nodes[node];
+        for (const unsigned int other : by_place.near(one.position, limit))
         {
-          const auto &one = contents.nodes[by_x[i]],
-                     &two = contents.nodes[by_x[k]];
-          if (body_of_node[by_x[i]] != body_of_node[by_x[k]] &&
-              one.position.distance(two.position) <= limit)
+          const auto &two = contents.nodes[other];
+          if (body_of_node[node] != body_of_node[other])
             return "has instances that touch at nodes " +
                    std::to_string(one.number) + " and " +
                    std::to_string(two.number) +
                    " and are not tied there: merge them into one part, or tie "
                    "their surfaces (*TIE)";
         }
+      }
       return "";
     }
 
