@@ -26,6 +26,7 @@ extensions = ["myst_parser"]
 myst_heading_anchors = 4  # as GitHub makes them
 myst_enable_extensions = ["html_image"]
 nitpicky = True
+smartquotes = False  # --check is to be copied as it is
 
 html_theme = "furo"
 html_title = "mixed-cracks " + version
