@@ -7,8 +7,6 @@ CHANGELOG.md are pages as well, and links to .prm files become downloads.
 import pathlib
 import re
 
-from pygments.lexers.special import TextLexer
-
 ROOT = pathlib.Path(__file__).resolve().parents[1]
 
 project = "mixed-cracks"
@@ -22,7 +20,8 @@ include_patterns = ["doc/**", "README.md", "CONTRIBUTING.md", "CHANGELOG.md"]
 exclude_patterns = ["build*", "results", ".git", "source", "include", "tests", "scripts",
                     "parameters", "meshes"]
 
-extensions = ["myst_parser"]
+extensions = ["myst_parser", "sphinx.ext.graphviz"]
+graphviz_output_format = "svg"
 myst_heading_anchors = 4  # as GitHub makes them
 myst_enable_extensions = ["html_image"]
 nitpicky = True
@@ -36,7 +35,23 @@ html_copy_source = False
 html_show_copyright = False
 
 
+def drawn(match):
+    """A chart of mermaid, which GitHub draws, as one of Graphviz."""
+    lines = []
+    for line in match.group(1).splitlines()[1:]:
+        begin, _, ends = line.partition("-->")
+        name, label = re.fullmatch(r"\s*(\w+)\[(.*)\]\s*", begin).groups()
+        lines.append('%s [label="%s"];' % (name, label.replace("<br>", "\\n")))
+        lines += ["%s -> %s;" % (name, end.strip()) for end in ends.split("&")
+                  if end.strip()]
+    return "```{graphviz}\ndigraph { node [shape=box fontname=Helvetica fontsize=11];\n" \
+        "%s }\n```" % "\n".join(lines)
+
+
+def with_charts(_app, _page, source):
+    source[0] = re.sub(r"^```mermaid\n(.*?)^```$", drawn, source[0], flags=re.M | re.S)
+
+
 def setup(app):
-    """GitHub draws blocks of mermaid; here they are shown as they are written."""
-    app.add_lexer("mermaid", TextLexer)
+    app.connect("source-read", with_charts)
     return {"parallel_read_safe": True}

@@ -4,7 +4,7 @@
 anchor or a figure that is not there; a fault that is put in is found; every page can
 be reached from the first one; CITATION.cff names the version that is built.
 
-Exit status 77 where Sphinx, MyST or the theme is not installed.
+Exit status 77 where Sphinx, MyST, the theme or Graphviz is not installed.
 """
 import os
 import pathlib
@@ -50,7 +50,7 @@ def build(project, site):
 
 def is_missing(said):
     return re.search(r"there is no sphinx-build|Could not import extension|"
-                     r"no theme named|No module named", said) is not None
+                     r"no theme named|No module named|dot command .* cannot", said) is not None
 
 
 def reached_from_the_first_page(site):
@@ -108,7 +108,7 @@ def main():
         folder = pathlib.Path(temporary).resolve()
         status, said = build(ROOT, folder / "site")
         if status != 0 and is_missing(said):
-            print("skipped: there is no Sphinx with MyST and furo; "
+            print("skipped: there is no Sphinx with MyST, furo and Graphviz; "
                   "scripts/install-packages documentation brings them")
             return SKIPPED
         assert status == 0, said
