@@ -50,7 +50,8 @@ def build(project, site):
 
 def is_missing(said):
     return re.search(r"there is no sphinx-build|Could not import extension|"
-                     r"no theme named|No module named|dot command .* cannot", said) is not None
+                     r"no theme named|No module named|dot command .* cannot",
+                     said) is not None
 
 
 def reached_from_the_first_page(site):
@@ -80,9 +81,9 @@ def faults_are_found(folder):
     project = folder / "project"
     for name in ("doc", "scripts", "parameters"):
         shutil.copytree(ROOT / name, project / name)
-    for name in ("README.md", "CONTRIBUTING.md", "CHANGELOG.md", "CMakeLists.txt",
-                 "LICENSE"):
-        shutil.copy(ROOT / name, project / name)
+    for path in ROOT.iterdir():  # what README and its like lead to
+        if path.is_file():
+            shutil.copy(path, project)
     with open(project / "doc" / "reliability.md", "a", encoding="utf-8") as page:
         page.write("\n" + "\n".join(FAULTS) + "\n")
     status, said = build(project, folder / "faulty")
