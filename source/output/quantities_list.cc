@@ -9,6 +9,7 @@
 //   energy_imbalance  external_work - growth of the two others since step 0
 //   crack_length      integral of gamma: 1 per mm of crack, whatever G_c   mm
 //   crack_volume      t integral of u . grad phi                           mm^3
+//   mean_stress_ij    integral of P_ij over the volume of a periodic cell  MPa
 //
 // phi is that of the step, not the lagged one, but for forces, which balance
 // with the phi~ they were solved with. Columns keep their order: what is new
@@ -46,6 +47,34 @@ namespace MixedCracks
       for (const auto dof : step.fields.phase_field_dofs.owned)
         smallest = std::min(smallest, double(step.state.phase_field(dof)));
       return Utilities::MPI::min(smallest, step.fields.communicator());
+    }
+
+    const char *const periodic = "Geometry/Periodic sides";
+    const char *const finite_periodic =
+      "Geometry/Periodic sides and Model/Strains = finite";
+
+    // components of a plane body are asked for in 3-d only where it has them
+    template <int dim>
+    double
+    component(const Tensor<2, dim> &tensor,
+              const unsigned int    i,
+              const unsigned int    j)
+    {
+      return i < dim && j < dim ? tensor[i][j] : 0.;
+    }
+
+    // @p letters: component and normal, as "xy"
+    Quantity
+    mean_stress(const std::string &letters, const std::string &sentence)
+    {
+      const unsigned int i = letters[0] - 'x', j = letters[1] - 'x';
+      return Quantity("mean_stress_" + letters,
+                      "MPa",
+                      sentence,
+                      [i, j](const auto &step) {
+                        return component(step.mean_stress, i, j);
+                      })
+        .only_with(periodic);
     }
   } // namespace
 
@@ -219,7 +248,23 @@ namespace MixedCracks
         "broken (doc/model.md, section 8)",
         [](const auto &step) { return step.energies.smallest_jacobian; })
         .only_with("Model/Strains = finite")
-        .in_summary_as(InSummary::result)};
+        .in_summary_as(InSummary::result),
+      mean_stress(
+        "xx",
+        "mean stress of the periodic cell, ∫ σ dx over the volume of the cell, "
+        "that of holes included; at finite strain of the first "
+        "Piola-Kirchhoff stress, the first letter the component, the second "
+        "the normal. In a direction without periodic sides the cell is as wide "
+        "as the body"),
+      mean_stress("xy", "likewise"),
+      mean_stress("xz", "likewise").only_in_3d(),
+      mean_stress("yx", "likewise; at small strain that of xy")
+        .only_with(finite_periodic),
+      mean_stress("yy", "likewise"),
+      mean_stress("yz", "likewise").only_in_3d(),
+      mean_stress("zx", "likewise").only_with(finite_periodic).only_in_3d(),
+      mean_stress("zy", "likewise").only_with(finite_periodic).only_in_3d(),
+      mean_stress("zz", "likewise").only_in_3d()};
     return list;
   }
 } // namespace MixedCracks

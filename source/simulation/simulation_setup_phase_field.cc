@@ -140,6 +140,7 @@ namespace MixedCracks
                         values(dof) = 0.;
                   });
     values.compress(VectorOperation::insert);
+    constraints.spread_least(values);
     constraints.phase_field_hanging_nodes().distribute(values);
     return values;
   }
