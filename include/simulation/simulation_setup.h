@@ -35,6 +35,13 @@ namespace MixedCracks
   void make_periodic(const Parameters<dim>      &parameters,
                      dealii::Triangulation<dim> &triangulation);
 
+  /// From a point to its images in the cells around a periodic body, mm; the
+  /// first is 0, and the only one of another body.
+  template <int dim>
+  std::vector<dealii::Tensor<1, dim>>
+  shifts_to_images(const Parameters<dim>            &parameters,
+                   const dealii::Triangulation<dim> &triangulation);
+
   /// The mesh of @p geometry, the chosen one or that with larger cells, with
   /// its periodic sides, not refined. Collective.
   template <int dim>

@@ -32,6 +32,7 @@
 #include <discretization/body_parts.h>
 #include <discretization/free_motions.h>
 #include <discretization/nearest_vertex.h>
+#include <discretization/part_images.h>
 #include <discretization/row_space.h>
 
 #include <algorithm>
@@ -172,53 +173,6 @@ namespace MixedCracks
 
 
 
-    // A vertex of a periodic side and its image, each of a part.
-    template <int dim>
-    struct Image
-    {
-      std::array<unsigned int, 2> parts;
-      std::array<Point<dim>, 2>   points;
-    };
-
-
-
-    // Corners of faces are enough, as of boundaries.
-    template <int dim>
-    std::vector<Image<dim>>
-    images_on(const Triangulation<dim> &triangulation,
-              const PeriodicSides<dim> &sides,
-              const BodyParts<dim>     &parts)
-    {
-      std::vector<Image<dim>> images;
-      for (const auto &match : sides.matches())
-      {
-        const auto &[first, second] = match.faces;
-        const typename Triangulation<dim>::cell_iterator cell(
-          &triangulation, 0, first.cell);
-        const auto face = cell->face(first.number);
-        for (const unsigned int v : face->vertex_indices())
-          images.push_back(
-            {{{parts.of_cell(first.cell), parts.of_cell(second.cell)}},
-             {{face->vertex(v),
-               face->vertex(v) + sides.periods()[match.pair]}}});
-      }
-      return images;
-    }
-
-
-
-    template <int dim>
-    std::vector<std::array<unsigned int, 2>>
-    parts_joined_by(const std::vector<Image<dim>> &images)
-    {
-      std::vector<std::array<unsigned int, 2>> result;
-      for (const Image<dim> &image : images)
-        result.push_back(image.parts);
-      return result;
-    }
-
-
-
     // Constraints on parts that hang together.
     template <int dim>
     struct Group
@@ -227,7 +181,7 @@ namespace MixedCracks
       // part, point, component
       std::vector<std::tuple<unsigned int, Point<dim>, unsigned int>> held;
       std::vector<const typename BodyParts<dim>::Hinge *>             hinges;
-      std::vector<const Image<dim> *>                                 images;
+      std::vector<const PartImage<dim> *>                             images;
     };
 
 
@@ -343,7 +297,7 @@ namespace MixedCracks
   {
     const BodyParts<dim>    parts(triangulation);
     const Frame<dim>        frame    = frame_of(triangulation);
-    const auto              images   = images_on(triangulation, sides, parts);
+    const auto              images   = part_images(triangulation, sides, parts);
     const auto              group_of = parts.groups(parts_joined_by(images));
     std::vector<Group<dim>> groups(
       1 + *std::max_element(group_of.begin(), group_of.end()));
@@ -351,7 +305,7 @@ namespace MixedCracks
       groups[group_of[part]].parts.push_back(part);
     for (const auto &hinge : parts.hinges())
       groups[group_of[*hinge.parts.begin()]].hinges.push_back(&hinge);
-    for (const Image<dim> &image : images)
+    for (const PartImage<dim> &image : images)
       groups[group_of[image.parts[0]]].images.push_back(&image);
     const auto hold = [&](const unsigned int part,
                           const Point<dim>  &point,

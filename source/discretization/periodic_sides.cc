@@ -15,6 +15,7 @@
 
 #include <deal.II/base/bounding_box.h>
 
+#include <discretization/lattice.h>
 #include <discretization/nearest_vertex.h>
 #include <discretization/periodic_sides.h>
 
@@ -197,18 +198,6 @@ namespace MixedCracks
 
 
 
-    // w - its projection on the span of @p orthogonal
-    template <int dim>
-    Tensor<1, dim>
-    rest_of(Tensor<1, dim> w, const std::vector<Tensor<1, dim>> &orthogonal)
-    {
-      for (const Tensor<1, dim> &v : orthogonal)
-        w -= (w * v) / v.norm_square() * v;
-      return w;
-    }
-
-
-
     template <int dim>
     typename Triangulation<dim>::cell_iterator
     cell_of(const Triangulation<dim> &mesh, const int index)
@@ -371,38 +360,7 @@ namespace MixedCracks
   double
   PeriodicSides<dim>::cell_volume(const Mesh &mesh) const
   {
-    std::vector<Tensor<1, dim>> orthogonal;
-    double                      volume = 1.;
-    const auto                  add    = [&](const Tensor<1, dim> &vector) {
-      orthogonal.push_back(rest_of(vector, orthogonal));
-      return orthogonal.back().norm();
-    };
-    for (const Tensor<1, dim> &period : different)
-      volume *= add(period);
-    while (orthogonal.size() < dim)
-    {
-      // the axis that is farthest from what is spanned
-      Tensor<1, dim> across;
-      for (unsigned int d = 0; d < dim; ++d)
-      {
-        Tensor<1, dim> axis;
-        axis[d]                   = 1.;
-        const Tensor<1, dim> rest = rest_of(axis, orthogonal);
-        if (rest.norm() > across.norm() + 1e-12)
-          across = rest;
-      }
-      across /= across.norm();
-      double least = across * mesh.begin(0)->vertex(0), most = least;
-      for (const auto &cell : mesh.cell_iterators_on_level(0))
-        for (const unsigned int v : cell->vertex_indices())
-        {
-          least = std::min(least, across * cell->vertex(v));
-          most  = std::max(most, across * cell->vertex(v));
-        }
-      add(across);
-      volume *= most - least;
-    }
-    return volume;
+    return lattice_cell_volume(mesh, different);
   }
 
 

@@ -111,8 +111,7 @@ namespace MixedCracks
           return parts[0];
       }
       const auto pairs = split_list(periodic_sides, ';');
-      const auto sides = split_list(pairs.empty() ? "" : pairs.front(), ':');
-      return sides.size() == 2 ? sides.back() : "";
+      return pairs.empty() ? "" : split_list(pairs.front(), ':').back();
     }
 
 

@@ -94,11 +94,13 @@ namespace MixedCracks
       Quantity("displacement",
                "mm",
                "mean prescribed displacement magnitude of the boundary or "
-               "point that is moved most",
+               "point that is moved most; of periodic sides, of one against "
+               "the other",
                [](const auto &step) { return step.displacement; }),
       Quantity("force_x",
                "N",
-               "reaction on `Load stepping/Force boundary`, positive in "
+               "reaction on `Load stepping/Force boundary`, or what acts "
+               "through it where it is a periodic side, positive in "
                "tension, of the whole body: in 2-d with thickness. On a "
                "boundary whose outward normal points against its axis "
                "(left, bottom) all components have the opposite sign of "
@@ -134,7 +136,8 @@ namespace MixedCracks
         [](const auto &step) { return step.thickness * step.energies.crack; }),
       Quantity("external_work",
                "mJ",
-               "work of the reactions, of loads, and of a fluid in the "
+               "work of the reactions, of loads, of the mean strain of "
+               "periodic sides, and of a fluid in the "
                "cracks since the start; loads that are there at t = 0 "
                "have done none then",
                [](const auto &step) { return step.external_work; }),

@@ -45,9 +45,28 @@ namespace MixedCracks
 
 
 
-#define INSTANTIATE(dim)                                          \
-  template Periodicity<dim> periodicity(const Parameters<dim> &); \
-  template void make_periodic(const Parameters<dim> &, Triangulation<dim> &);
+  template <int dim>
+  std::vector<Tensor<1, dim>>
+  shifts_to_images(const Parameters<dim>    &parameters,
+                   const Triangulation<dim> &triangulation)
+  {
+    std::vector<Tensor<1, dim>> shifts(1);
+    const PeriodicSides<dim>    sides(triangulation,
+                                   parameters.geometry.periodic_pairs());
+    for (const Tensor<1, dim> &period : sides.basis())
+      for (std::size_t i = 0, n = shifts.size(); i < n; ++i)
+        for (const double sign : {1., -1.})
+          shifts.push_back(shifts[i] + sign * period);
+    return shifts;
+  }
+
+
+
+#define INSTANTIATE(dim)                                                      \
+  template Periodicity<dim> periodicity(const Parameters<dim> &);             \
+  template void make_periodic(const Parameters<dim> &, Triangulation<dim> &); \
+  template std::vector<Tensor<1, dim>> shifts_to_images(                      \
+    const Parameters<dim> &, const Triangulation<dim> &);
   INSTANTIATE(2)
   INSTANTIATE(3)
 #undef INSTANTIATE

@@ -26,8 +26,8 @@ using namespace dealii;
 namespace
 {
   template <int dim>
-  using Mesh   = parallel::distributed::Triangulation<dim>;
-  using Vector = LinearAlgebra::Vector;
+  using Mesh        = parallel::distributed::Triangulation<dim>;
+  using FieldVector = MixedCracks::LinearAlgebra::Vector;
 
   // no entry is 0, not symmetric
   template <int dim>
@@ -55,7 +55,7 @@ namespace
   }
 
   template <int dim>
-  Vector
+  FieldVector
   affine(const Fields<dim> &fields, const Tensor<2, dim> &gradient)
   {
     std::vector<std::function<double(const Point<dim> &)>> parts(
@@ -65,7 +65,7 @@ namespace
       parts[d] = [gradient, d](const Point<dim> &point) {
         return gradient[d] * Tensor<1, dim>(point);
       };
-    Vector result = fields.owned_vector(fields.elastic_dofs);
+    FieldVector result = fields.owned_vector(fields.elastic_dofs);
     VectorTools::interpolate(fields.mapping,
                              fields.elastic,
                              FunctionFromFunctionObjects<dim>(parts),
@@ -73,25 +73,25 @@ namespace
     return result;
   }
 
-  // how far fit() moves E x, and that it makes a random state periodic
+  // how far fit() moves E x
   template <int dim>
   double
   change_of_affine(const Fields<dim>      &fields,
                    const Constraints<dim> &constraints)
   {
-    Vector state = affine(fields, strain<dim>(2.));
-    Vector fitted(state);
+    FieldVector state = affine(fields, strain<dim>(2.));
+    FieldVector fitted(state);
     constraints.fit(2., fitted);
     fitted.add(-1., state);
     return fitted.linfty_norm();
   }
 
-  // rows of a reaction that only periodic sides have
+  // what a body at rest has to follow
   double
   change_by_fit_of_zero(const Fields<2>      &fields,
                         const Constraints<2> &constraints)
   {
-    Vector state = fields.owned_vector(fields.elastic_dofs);
+    FieldVector state = fields.owned_vector(fields.elastic_dofs);
     constraints.fit(2., state);
     return state.linfty_norm();
   }
@@ -201,14 +201,16 @@ TEST(PeriodicSides, ForcesAreMovedToIndependentNodes)
   Constraints<2> constraints(fields, {}, {}, periodicity<2>(2));
   fields.distribute();
   constraints.reinit();
-  Vector forces       = fields.owned_vector(fields.elastic_dofs);
+  FieldVector forces  = fields.owned_vector(fields.elastic_dofs);
   forces              = 1.;
   const double before = forces.mean_value() * forces.size();
   constraints.periodic().fold(forces);
   EXPECT_NEAR(forces.mean_value() * forces.size(), before, 1e-12 * before);
   for (const auto &partner : constraints.periodic().partners())
     if (fields.elastic_dofs.owned.is_element(partner.slave))
+    {
       EXPECT_EQ(forces(partner.slave), 0.);
+    }
 }
 
 
@@ -227,7 +229,7 @@ TEST(PeriodicSides, OnlyTranslationsAreLeftFree)
     bar, {2, 2, 2}, Point<3>(), Point<3>(1., 1., 1.), true);
   EXPECT_EQ(free_rigid_motions(bar, {}, {}, {bar, periodicity<3>(1).pairs}),
             Words({"the body can move in x and y and z",
-                   "the body can rotate about the axis in x through (0, 0.5, "
+                   "the body can rotate about the axis in x through (0.5, 0.5, "
                    "0.5)"}));
   EXPECT_EQ(free_rigid_motions(bar, {}, {}, {bar, periodicity<3>(2).pairs}),
             Words({"the body can move in x and y and z"}));
@@ -259,7 +261,7 @@ TEST(PeriodicSides, SupportsThatMeetThem)
       fields, {at_bottom(slope)}, {}, periodicity<2>(1));
     constraints.reinit();
     EXPECT_EQ(constraints.held_components(), std::vector<unsigned int>({1}));
-    Vector state = fields.owned_vector(fields.elastic_dofs);
+    FieldVector state = fields.owned_vector(fields.elastic_dofs);
     if (slope == jump)
       EXPECT_NO_THROW(constraints.apply_prescribed(1., state));
     else
