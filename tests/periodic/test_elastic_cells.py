@@ -157,6 +157,57 @@ def test_any_start_of_the_cell(runs):
     alike(stresses(row), stresses(same), 1e-9)
 
 
+def test_oblique_cell(runs):
+    """Layers across y in a parallelogram: in series, with the shear of both periods."""
+    layers = ("Material/Lame lambda=3*(1 + 2*(y > 0.5))",
+              "Material/Shear modulus=2*(1 + 2*(y > 0.5))", PERIODIC_2D)
+    oblique = ("Geometry/Name=quadrilateral", "Geometry/Quadrilateral/Cells=4, 4",
+               "Geometry/Quadrilateral/Corners=0, 0 ; 1, 0 ; 1.5, 1 ; 0.5, 1")
+    strain = STRAIN + "xx : 0.002*t ; yy : 0.01*t ; xy : 0.004*t"
+    alike(stresses(runs.last(*layers, strain)), stresses(runs.last(*layers, strain, *oblique)),
+          1e-9)
+    near(runs.last(*layers, STRAIN + "xy : 0.01*t", *oblique)["mean_stress_xy_MPa"],
+         0.02 * 2. / (1 / 2. + 1 / 6.), 1e-10)
+
+
+def mesh_with_holes(nx, ny):
+    """Gmsh 2.2: 3 x 3 squares without the middle one, nx x ny times."""
+    cells = [(x, y) for x in range(3 * nx) for y in range(3 * ny)
+             if (x % 3, y % 3) != (1, 1)]
+    width = 3 * nx + 1
+    lines = ["$MeshFormat", "2.2 0 8", "$EndMeshFormat", "$Nodes",
+             str(width * (3 * ny + 1))]
+    lines += ["%d %.17g %.17g 0" % (x + width * y + 1, x / 3, y / 3)
+              for y in range(3 * ny + 1) for x in range(width)]
+    lines += ["$EndNodes", "$Elements", str(len(cells))]
+    for number, (x, y) in enumerate(cells):
+        first = x + width * y + 1
+        lines.append("%d 3 2 1 1 %d %d %d %d" % (number + 1, first, first + 1,
+                                                 first + 1 + width, first + width))
+    return "\n".join(lines) + "\n$EndElements\n"
+
+
+def test_cell_with_a_hole(runs):
+    """From a file, the sides by position: its volume is that of the whole cell."""
+    rows = []
+    for nx, ny in ((1, 1), (2, 2)):
+        mesh = runs.directory / ("%d_%d.msh" % (nx, ny))
+        mesh.write_text(mesh_with_holes(nx, ny), encoding="utf-8")
+        rows.append(runs.last(
+            "Geometry/Name=mesh file", "Geometry/Mesh file/File name=%s" % mesh,
+            "Geometry/Boundary regions=west : x < 1e-6 ; east : x > %g ; south : y < 1e-6 ; "
+            "north : y > %g" % (nx - 1e-3, ny - 1e-3), "Mesh/Global refinements=1",
+            "Geometry/Periodic sides=west : east ; south : north",
+            STRAIN + "xx : 0.01*t ; xy : 0.004*t", "Load stepping/Force boundary=east"))
+    row, four = rows
+    alike(stresses(row), stresses(four), 1e-9)
+    near(row["force_x_N"], row["mean_stress_xx_MPa"], 1e-10)
+    near(four["force_y_N"], 2 * four["mean_stress_xy_MPa"], 1e-10)
+    near(row["elastic_energy_mJ"], 0.5 * (0.01 * row["mean_stress_xx_MPa"]
+                                          + 0.008 * row["mean_stress_xy_MPa"]), 1e-11)
+    assert 0.1 < row["mean_stress_xx_MPa"] / (0.01 * (LAMBDA + 2 * MU)) < 0.9
+
+
 def test_with_supports(runs):
     """A strip, periodic along x, on a rigid ground: sheared and pressed at the top."""
     row = runs.last("Geometry/Periodic sides=left : right",
@@ -168,12 +219,29 @@ def test_with_supports(runs):
     closes(row)
 
 
+def test_held_points(runs):
+    """At one corner, at its image or where the program holds it: the same, and nothing
+    is held there but the body."""
+    cell = (PERIODIC_2D, STRAIN + "xx : 0.01*t ; xy : 0.004*t", *inclusion("xy"))
+    free = runs.last(*cell, places({"middle": (0.5, 0.25), "corner": (1, 1)}, 2))
+    for corner in ("0, 0", "1, 1"):
+        row = runs.last(*cell, places({"middle": (0.5, 0.25), "corner": (1, 1)}, 2),
+                        "Boundary conditions/Displacement at points=%s : all : 0" % corner)
+        alike(stresses(free), stresses(row), 1e-9)
+        for x in "xy":
+            near(row["reaction_1_%s_N" % x], 0., 1e-10)
+            near(row["middle_%s_mm" % x] - row["corner_%s_mm" % x],
+                 free["middle_%s_mm" % x] - free["corner_%s_mm" % x], 1e-10)
+    near(row["corner_x_mm"], 0., 1e-12)
+
+
 def main():
     with tempfile.TemporaryDirectory() as directory:
         runs = Runs(*sys.argv[1:4], directory)
         for test in (test_even_body, test_finite_strain, test_work_at_finite_strain,
                      test_laminate, test_repeated_cell,
-                     test_any_start_of_the_cell, test_with_supports):
+                     test_any_start_of_the_cell, test_oblique_cell, test_cell_with_a_hole,
+                     test_with_supports, test_held_points):
             test(runs)
             print(test.__name__, "ok", flush=True)
         print("%d runs" % runs.n_runs)
