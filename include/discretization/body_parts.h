@@ -5,6 +5,7 @@
 #include <deal.II/base/bounding_box.h>
 #include <deal.II/grid/tria.h>
 
+#include <array>
 #include <map>
 #include <set>
 #include <vector>
@@ -53,8 +54,10 @@ namespace MixedCracks
     }
 
     /// By part, the number of its group: parts that hang together by hinges,
-    /// directly or by way of others, are in one.
-    std::vector<unsigned int> groups() const;
+    /// directly or by way of others, are in one; and so are those that are
+    /// @p joined otherwise.
+    std::vector<unsigned int>
+    groups(const std::vector<std::array<unsigned int, 2>> &joined = {}) const;
 
   private:
     void flood(const typename dealii::Triangulation<dim>::cell_iterator &seed);

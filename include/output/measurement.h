@@ -40,6 +40,8 @@ namespace MixedCracks
     StepEffort             effort{};
     RunTotals              totals{}; ///< of all pieces of the run so far
     unsigned int           n_refinements = 0;
+    /// of a body with periodic sides, MPa
+    dealii::Tensor<2, dim> mean_stress{};
   };
 } // namespace MixedCracks
 

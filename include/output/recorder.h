@@ -177,6 +177,7 @@ namespace MixedCracks
     void record_opening(const StatisticsRow &row, const State &state);
 
     const Fields<dim>         &fields;
+    const Constraints<dim>    &constraints;
     const RecorderOptions<dim> options;
     Assembler<dim>            *assembler    = nullptr; // of reinit()
     double                     length_scale = 0.;      // mm

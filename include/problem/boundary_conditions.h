@@ -8,7 +8,9 @@
 #include <deal.II/base/parameter_handler.h>
 
 #include <discretization/boundary_ids.h>
+#include <discretization/periodic_sides.h>
 
+#include <problem/mean_strain.h>
 #include <problem/rotation.h>
 
 #include <functional>
@@ -87,10 +89,17 @@ namespace MixedCracks
 
     /// Throws InputError for entries that cannot be read or name a boundary
     /// that is not in @p boundaries; @p hint says more about those.
-    /// @p point_sets: the names of those.
+    /// @p point_sets: the names of those. A body that @p is_periodic need not
+    /// be held.
     void check(const NamedBoundaries              &boundaries,
-               const std::function<std::string()> &hint       = {},
-               const std::vector<std::string>     &point_sets = {}) const;
+               const std::function<std::string()> &hint        = {},
+               const std::vector<std::string>     &point_sets  = {},
+               bool                                is_periodic = false) const;
+
+    /// Throws InputError for what cannot be given on the periodic sides
+    /// @p pairs.
+    void check_periodic(const std::vector<PeriodicPair> &pairs,
+                        const NamedBoundaries           &boundaries) const;
 
     /// Entries of "Displacement", 'all' spread over the components; those on
     /// the phase field have component dim, those of symmetry a name.
@@ -121,6 +130,13 @@ namespace MixedCracks
     std::shared_ptr<ExpressionFunction<dim>>
     body_force(unsigned int n_components) const;
 
+    /// "Mean strain", of a body with periodic sides.
+    MeanStrain<dim>
+    mean_strain(const bool finite_strain) const
+    {
+      return {mean_strain_text, finite_strain};
+    }
+
     /// mm
     double
     unbreakable_margin() const
@@ -136,6 +152,7 @@ namespace MixedCracks
     std::string traction_text;
     std::string pressure_text;
     std::string body_force_text;
+    std::string mean_strain_text;
     double      margin = 0.;
   };
 } // namespace MixedCracks

@@ -11,6 +11,7 @@
 #include <deal.II/grid/tria.h>
 
 #include <discretization/boundary_ids.h>
+#include <discretization/periodic_sides.h>
 
 #include <problem/point_sets.h>
 
@@ -167,6 +168,9 @@ namespace MixedCracks
     /// when these cannot be read.
     const Geometry<dim> &chosen() const;
 
+    /// "Periodic sides". Throws InputError when these cannot be read.
+    std::vector<PeriodicPair> periodic_pairs() const;
+
     /// "Point sets".
     const PointSets<dim> &
     point_sets() const
@@ -180,6 +184,7 @@ namespace MixedCracks
     std::string                                           dimension = "2";
     std::string                                           name;
     std::string                                           regions;
+    std::string                                           periodic_sides;
     PointSets<dim>                                        points;
     std::map<std::string, std::unique_ptr<Geometry<dim>>> geometries;
     /// made when it is asked for, as entries are read after they are added

@@ -44,6 +44,8 @@ namespace MixedCracks
     void report_sizes() const;
     void report_mesh_of_file() const;
     void report_material_and_costs() const;
+    void report_periodic_sides() const;
+
     void report_slits(const std::vector<SlitFace<dim>> &slits) const;
     void find_warnings();
     void warn_of_model();

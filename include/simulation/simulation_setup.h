@@ -25,8 +25,25 @@ namespace MixedCracks
   refined_regions(const Parameters<dim>            &parameters,
                   const dealii::Triangulation<dim> &triangulation);
 
-  /// The mesh of @p geometry, the chosen one or that with larger cells, not
-  /// refined. Collective.
+  /// Periodic sides and the mean strain.
+  template <int dim>
+  Periodicity<dim> periodicity(const Parameters<dim> &parameters);
+
+  /// Join the periodic sides of a coarse mesh. Throws InputError, on all ranks,
+  /// where they are not alike, or the mean strain makes no difference.
+  template <int dim>
+  void make_periodic(const Parameters<dim>      &parameters,
+                     dealii::Triangulation<dim> &triangulation);
+
+  /// From a point to its images in the cells around a periodic body, mm; the
+  /// first is 0, and the only one of another body.
+  template <int dim>
+  std::vector<dealii::Tensor<1, dim>>
+  shifts_to_images(const Parameters<dim>            &parameters,
+                   const dealii::Triangulation<dim> &triangulation);
+
+  /// The mesh of @p geometry, the chosen one or that with larger cells, with
+  /// its periodic sides, not refined. Collective.
   template <int dim>
   void make_coarse_mesh(const Parameters<dim>      &parameters,
                         const Geometry<dim>        &geometry,

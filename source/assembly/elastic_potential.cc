@@ -75,7 +75,7 @@ namespace MixedCracks
     couplings(dim, dim) = DoFTools::always;
     make_sparse_matrix(fields.elastic,
                        fields.elastic_dofs,
-                       constraints.elastic_hanging_nodes(),
+                       constraints.elastic_periodic(),
                        couplings,
                        mass);
   }
@@ -114,7 +114,7 @@ namespace MixedCracks
           indices[k]         = all[pressures[k]];
           local_pressures[k] = local[pressures[k]];
         }
-        constraints.elastic_hanging_nodes().distribute_local_to_global(
+        constraints.elastic_periodic().distribute_local_to_global(
           local_mass, local_pressures, indices, mass, residual);
       });
     mass.compress(VectorOperation::add);
@@ -207,7 +207,7 @@ namespace MixedCracks
       potential         = present + gain;
       if (i == 0)
         first_gain = gain;
-      constraints.elastic_hanging_nodes().distribute(step);
+      constraints.elastic_periodic().distribute(step);
       iterate.add(1., step);
       state = iterate;
       // '<' rather than '>=': what is no number ends here too

@@ -76,7 +76,8 @@ namespace MixedCracks
 
   template <int dim>
   std::vector<unsigned int>
-  BodyParts<dim>::groups() const
+  BodyParts<dim>::groups(
+    const std::vector<std::array<unsigned int, 2>> &joined) const
   {
     std::vector<unsigned int> root(n);
     for (unsigned int part = 0; part < n; ++part)
@@ -89,6 +90,8 @@ namespace MixedCracks
     for (const Hinge &hinge : all_hinges)
       for (const unsigned int part : hinge.parts)
         root[root_of(part)] = root_of(*hinge.parts.begin());
+    for (const auto &[one, other] : joined)
+      root[root_of(one)] = root_of(other);
     std::map<unsigned int, unsigned int> number_of;
     std::vector<unsigned int>            result(n);
     for (unsigned int part = 0; part < n; ++part)

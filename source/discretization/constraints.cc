@@ -9,7 +9,8 @@
 //   x = x_D + d,   x_D(t) set once per step (apply_prescribed),  d = 0 there,
 //
 // so that Newton's matrix has both, the state only hanging nodes, and the
-// residual in a row of a support, not set to 0, is the reaction.
+// residual in a row of a support, not set to 0, is the reaction. Periodic sides
+// are in constraints_periodic.cc and periodic_constraints.cc.
 
 #include <base/collective.h>
 #include <base/compat.h>
@@ -28,10 +29,12 @@ namespace MixedCracks
   Constraints<dim>::Constraints(
     const Fields<dim>                    &fields,
     std::vector<PrescribedComponent<dim>> prescribed,
-    std::vector<PrescribedPoint<dim>>     points)
+    std::vector<PrescribedPoint<dim>>     points,
+    Periodicity<dim>                      periodicity)
     : fields(fields)
     , prescribed(std::move(prescribed))
     , points(std::move(points))
+    , periodic_sides(fields, std::move(periodicity))
   {}
 
 
@@ -95,16 +98,25 @@ namespace MixedCracks
     DoFTools::make_hanging_node_constraints(fields.elastic, elastic_hanging);
     Compat::reinit(
       elastic_newton, fields.elastic_dofs.owned, fields.elastic_dofs.relevant);
-    elastic_newton.merge(elastic_hanging);
+    if (periodic_sides.any())
+    {
+      periodic_sides.reinit(elastic_hanging);
+      elastic_newton.merge(periodic_sides.homogeneous());
+    }
+    else
+      elastic_newton.merge(elastic_hanging);
     Compat::reinit(phase_field_hanging,
                    fields.phase_field_dofs.owned,
                    fields.phase_field_dofs.relevant);
     DoFTools::make_hanging_node_constraints(fields.phase_field,
                                             phase_field_hanging);
+    if (periodic_sides.any())
+      periodic_sides.add_to_phase_field(phase_field_hanging);
 
     if (source_of_points)
       points = source_of_points();
     resolve_symmetry();
+    hold_translations();
     prescribed_dofs.clear();
     prescribed_dofs.set_size(fields.elastic.n_dofs());
     for (const PrescribedComponent<dim> &entry : prescribed)
@@ -124,6 +136,7 @@ namespace MixedCracks
           elastic_newton.add_line(dof);
         prescribed_dofs.add_index(dof);
       }
+    prescribe_images();
     prescribed_dofs = prescribed_dofs & fields.elastic_dofs.owned;
 
     elastic_hanging.close();
@@ -159,28 +172,45 @@ namespace MixedCracks
             {dof,
              points[i].value->value(points[i].point, points[i].component)});
         }
+      add_values_of_images(time, values);
     });
     for (const auto &[dof, value] : values)
       if (fields.elastic_dofs.owned.is_element(dof))
         elastic(dof) = value;
     elastic.compress(VectorOperation::insert);
-    elastic_hanging.distribute(elastic);
+    fit(time, elastic);
   }
 
 
 
-  // r <- r at supports, 0 elsewhere: the reactions. Of hanging nodes nothing is
-  // left, as their part was condensed to their neighbours.
+  template <int dim>
+  void
+  Constraints<dim>::fit(const double time, LinearAlgebra::Vector &elastic) const
+  {
+    if (periodic_sides.any())
+      periodic_sides.fit(time, elastic);
+    else
+      elastic_hanging.distribute(elastic);
+  }
+
+
+
+  // r <- r at supports and periodic sides, 0 elsewhere: the reactions. Of
+  // hanging nodes nothing is left, as their part was condensed to their
+  // neighbours.
   template <int dim>
   void
   Constraints<dim>::keep_prescribed(LinearAlgebra::Vector &residual) const
   {
+    IndexSet kept = prescribed_dofs;
+    if (periodic_sides.any())
+      kept.add_indices(periodic_sides.dofs_of_sides());
     std::vector<double> values;
-    for (const types::global_dof_index dof : prescribed_dofs)
+    for (const types::global_dof_index dof : kept)
       values.push_back(residual(dof));
     residual       = 0.;
     std::size_t at = 0;
-    for (const types::global_dof_index dof : prescribed_dofs)
+    for (const types::global_dof_index dof : kept)
       residual(dof) = values[at++];
     residual.compress(VectorOperation::insert);
   }
@@ -191,6 +221,8 @@ namespace MixedCracks
   void
   Constraints<dim>::drop_prescribed(LinearAlgebra::Vector &residual) const
   {
+    if (periodic_sides.any())
+      periodic_sides.fold(residual);
     for (const types::global_dof_index dof : prescribed_dofs)
       residual(dof) = 0.;
     residual.compress(VectorOperation::insert);
@@ -198,6 +230,21 @@ namespace MixedCracks
 
 
 
-  template class Constraints<2>;
-  template class Constraints<3>;
+#define INSTANTIATE(dim)                                                      \
+  template Constraints<dim>::Constraints(                                     \
+    const Fields<dim> &,                                                      \
+    std::vector<PrescribedComponent<dim>>,                                    \
+    std::vector<PrescribedPoint<dim>>,                                        \
+    Periodicity<dim>);                                                        \
+  template void Constraints<dim>::reinit();                                   \
+  template void Constraints<dim>::apply_prescribed(                           \
+    double, LinearAlgebra::Vector &) const;                                   \
+  template void Constraints<dim>::fit(double, LinearAlgebra::Vector &) const; \
+  template void Constraints<dim>::keep_prescribed(LinearAlgebra::Vector &)    \
+    const;                                                                    \
+  template void Constraints<dim>::drop_prescribed(LinearAlgebra::Vector &)    \
+    const;
+  INSTANTIATE(2)
+  INSTANTIATE(3)
+#undef INSTANTIATE
 } // namespace MixedCracks

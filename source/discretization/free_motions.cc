@@ -11,7 +11,9 @@
 //   space   u_d = shift_d + omega_next arm_last - omega_last arm_next,
 //
 // d, next, last cyclic. Parts that are hinged at x share u(x): dim equations
-// between the m numbers of both. All rows of a group span a space, its kernel
+// between the m numbers of both. So do images on periodic sides, u(x') = u(x):
+// they leave translations and, of one pair in space, the rotation about the
+// vector between its sides. All rows of a group span a space, its kernel
 // are the free motions; in reduced echelon form with the rotations first, rows
 // that begin with a translation are pure translations, so that they can be
 // named one by one.
@@ -30,6 +32,7 @@
 #include <discretization/body_parts.h>
 #include <discretization/free_motions.h>
 #include <discretization/nearest_vertex.h>
+#include <discretization/part_images.h>
 #include <discretization/row_space.h>
 
 #include <algorithm>
@@ -178,6 +181,7 @@ namespace MixedCracks
       // part, point, component
       std::vector<std::tuple<unsigned int, Point<dim>, unsigned int>> held;
       std::vector<const typename BodyParts<dim>::Hinge *>             hinges;
+      std::vector<const PartImage<dim> *>                             images;
     };
 
 
@@ -218,6 +222,14 @@ namespace MixedCracks
             add_to(row, *part, hinge->position, component, -1.);
             space.add(row);
           }
+      for (const auto *image : group.images)
+        for (unsigned int component = 0; component < dim; ++component)
+        {
+          Row row(n_columns, 0.);
+          add_to(row, image->parts[0], image->points[0], component, 1.);
+          add_to(row, image->parts[1], image->points[1], component, -1.);
+          space.add(row);
+        }
       const std::vector<Row>        kernel = space.kernel();
       std::vector<std::vector<Row>> result;
       for (const unsigned int part : group.parts)
@@ -280,17 +292,21 @@ namespace MixedCracks
   std::vector<std::string>
   free_rigid_motions(const Triangulation<dim>                    &triangulation,
                      const std::vector<PrescribedComponent<dim>> &components,
-                     const std::vector<PrescribedPoint<dim>>     &points)
+                     const std::vector<PrescribedPoint<dim>>     &points,
+                     const PeriodicSides<dim>                    &sides)
   {
     const BodyParts<dim>    parts(triangulation);
     const Frame<dim>        frame    = frame_of(triangulation);
-    const auto              group_of = parts.groups();
+    const auto              images   = part_images(triangulation, sides, parts);
+    const auto              group_of = parts.groups(parts_joined_by(images));
     std::vector<Group<dim>> groups(
       1 + *std::max_element(group_of.begin(), group_of.end()));
     for (unsigned int part = 0; part < parts.n_parts(); ++part)
       groups[group_of[part]].parts.push_back(part);
     for (const auto &hinge : parts.hinges())
       groups[group_of[*hinge.parts.begin()]].hinges.push_back(&hinge);
+    for (const PartImage<dim> &image : images)
+      groups[group_of[image.parts[0]]].images.push_back(&image);
     const auto hold = [&](const unsigned int part,
                           const Point<dim>  &point,
                           const unsigned int component) {
@@ -334,9 +350,11 @@ namespace MixedCracks
   template std::vector<std::string>
   free_rigid_motions(const Triangulation<2> &,
                      const std::vector<PrescribedComponent<2>> &,
-                     const std::vector<PrescribedPoint<2>> &);
+                     const std::vector<PrescribedPoint<2>> &,
+                     const PeriodicSides<2> &);
   template std::vector<std::string>
   free_rigid_motions(const Triangulation<3> &,
                      const std::vector<PrescribedComponent<3>> &,
-                     const std::vector<PrescribedPoint<3>> &);
+                     const std::vector<PrescribedPoint<3>> &,
+                     const PeriodicSides<3> &);
 } // namespace MixedCracks

@@ -3,7 +3,8 @@
 //
 //   |x_v - x| < 1e-6 diameter of the cell.
 //
-// A hanging vertex is none of them: its value follows from its neighbours.
+// A hanging vertex is none of them: its value follows from its neighbours. One
+// on a periodic side stands for the one whose image it is.
 
 #include <base/errors.h>
 
@@ -35,9 +36,15 @@ namespace MixedCracks
     {
       const unsigned int n = element.n_dofs_per_vertex();
       for (unsigned int local = v * n; local < (v + 1) * n; ++local)
-        if (element.system_to_component_index(local).first == component &&
-            !constraints.is_constrained(indices[local]))
-          found.push_back(indices[local]);
+        if (element.system_to_component_index(local).first == component)
+        {
+          if (!constraints.is_constrained(indices[local]))
+            found.push_back(indices[local]);
+          else if (const auto *entries =
+                     constraints.get_constraint_entries(indices[local]);
+                   entries != nullptr && entries->size() == 1)
+            found.push_back(entries->front().first);
+        }
     }
   } // namespace
 

@@ -101,7 +101,8 @@ namespace MixedCracks
     // Parameters::force_boundary() has it; out of the text, since checkpoints
     // hold entries as they were written, those of older versions, too.
     std::string
-    first_moved_boundary(const std::string &displacement)
+    first_moved_boundary(const std::string &displacement,
+                         const std::string &periodic_sides)
     {
       for (const std::string &item : split_list(displacement, ';'))
       {
@@ -109,7 +110,8 @@ namespace MixedCracks
         if (parts.size() == 3 && parts[1] != "phase field")
           return parts[0];
       }
-      return "";
+      const auto pairs = split_list(periodic_sides, ';');
+      return pairs.empty() ? "" : split_list(pairs.front(), ':').back();
     }
 
 
@@ -135,7 +137,8 @@ namespace MixedCracks
       const auto force = values.find("Load stepping/Force boundary");
       if (force != values.end() && canonical_text(force->second).empty())
         force->second = first_moved_boundary(
-          value_of(values, "Boundary conditions/Displacement"));
+          value_of(values, "Boundary conditions/Displacement"),
+          value_of(values, "Geometry/Periodic sides"));
       return values;
     }
 
@@ -248,6 +251,7 @@ namespace MixedCracks
       {"Boundary conditions/Traction", Rule::if_failed},
       {"Boundary conditions/Pressure", Rule::if_failed},
       {"Boundary conditions/Body force", Rule::if_failed},
+      {"Boundary conditions/Mean strain", Rule::if_failed},
       {"Fluid", Rule::if_failed},
       {"Initial cracks", Rule::no},
       {"Load stepping", Rule::yes},

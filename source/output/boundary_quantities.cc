@@ -206,6 +206,10 @@ namespace MixedCracks
     for (std::size_t i = 0; i < sums.size(); i += 2)
       if (sums[i + 1] > 0.)
         largest = std::max(largest, sums[i] / sums[i + 1]);
+    for (const Tensor<1, dim> &period :
+         constraints.periodic().sides().periods())
+      largest = std::max(
+        largest, (constraints.periodic().strain_at(time) * period).norm());
     return std::max(largest, largest_point_displacement(time));
   }
 

@@ -4,8 +4,9 @@
 //
 //   R_d = sum over the vertices i at the point of r_(i,d),
 //
-// more than one on a slit. All supports together balance the loads to the
-// accuracy of the solver.
+// more than one on a slit; on a periodic side that of all images, where the
+// forces through the side add up to 0. All supports together balance the loads
+// to the accuracy of the solver.
 
 #include <deal.II/base/mpi.h>
 
@@ -69,16 +70,24 @@ namespace MixedCracks
     const std::vector<std::string> names =
       columns_of(constraints.prescribed_points());
     std::vector<double> sums(columns.size(), 0.);
+    if (sums.empty())
+      return sums;
+    LinearAlgebra::Vector given = fields.owned_vector(fields.elastic_dofs);
+    given                       = reaction;
+    constraints.drop_periodic(given);
     for (std::size_t i = 0; i < names.size(); ++i)
     {
       const auto column =
         std::find(columns.begin(), columns.end(), names[i]) - columns.begin();
+      // what is held because nothing else holds it has none
+      if (columns.begin() + column == columns.end())
+        continue;
       for (const auto dof : constraints.dofs_of_points()[i])
-        if (fields.elastic_dofs.owned.is_element(dof))
-          sums[column] += reaction(dof);
+        if (const auto at = constraints.periodic().master_of(dof);
+            fields.elastic_dofs.owned.is_element(at))
+          sums[column] += given(at);
     }
-    if (!sums.empty())
-      Utilities::MPI::sum(sums, fields.communicator(), sums);
+    Utilities::MPI::sum(sums, fields.communicator(), sums);
     return sums;
   }
 

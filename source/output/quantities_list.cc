@@ -9,6 +9,7 @@
 //   energy_imbalance  external_work - growth of the two others since step 0
 //   crack_length      integral of gamma: 1 per mm of crack, whatever G_c   mm
 //   crack_volume      t integral of u . grad phi                           mm^3
+//   mean_stress_ij    integral of P_ij over the volume of a periodic cell  MPa
 //
 // phi is that of the step, not the lagged one, but for forces, which balance
 // with the phi~ they were solved with. Columns keep their order: what is new
@@ -47,6 +48,34 @@ namespace MixedCracks
         smallest = std::min(smallest, double(step.state.phase_field(dof)));
       return Utilities::MPI::min(smallest, step.fields.communicator());
     }
+
+    const char *const periodic = "Geometry/Periodic sides";
+    const char *const finite_periodic =
+      "Geometry/Periodic sides and Model/Strains = finite";
+
+    // components of a plane body are asked for in 3-d only where it has them
+    template <int dim>
+    double
+    component(const Tensor<2, dim> &tensor,
+              const unsigned int    i,
+              const unsigned int    j)
+    {
+      return i < dim && j < dim ? tensor[i][j] : 0.;
+    }
+
+    // @p letters: component and normal, as "xy"
+    Quantity
+    mean_stress(const std::string &letters, const std::string &sentence)
+    {
+      const unsigned int i = letters[0] - 'x', j = letters[1] - 'x';
+      return Quantity("mean_stress_" + letters,
+                      "MPa",
+                      sentence,
+                      [i, j](const auto &step) {
+                        return component(step.mean_stress, i, j);
+                      })
+        .only_with(periodic);
+    }
   } // namespace
 
 
@@ -65,11 +94,13 @@ namespace MixedCracks
       Quantity("displacement",
                "mm",
                "mean prescribed displacement magnitude of the boundary or "
-               "point that is moved most",
+               "point that is moved most; of periodic sides, of one against "
+               "the other",
                [](const auto &step) { return step.displacement; }),
       Quantity("force_x",
                "N",
-               "reaction on `Load stepping/Force boundary`, positive in "
+               "reaction on `Load stepping/Force boundary`, or what acts "
+               "through it where it is a periodic side, positive in "
                "tension, of the whole body: in 2-d with thickness. On a "
                "boundary whose outward normal points against its axis "
                "(left, bottom) all components have the opposite sign of "
@@ -105,7 +136,8 @@ namespace MixedCracks
         [](const auto &step) { return step.thickness * step.energies.crack; }),
       Quantity("external_work",
                "mJ",
-               "work of the reactions, of loads, and of a fluid in the "
+               "work of the reactions, of loads, of the mean strain of "
+               "periodic sides, and of a fluid in the "
                "cracks since the start; loads that are there at t = 0 "
                "have done none then",
                [](const auto &step) { return step.external_work; }),
@@ -219,7 +251,23 @@ namespace MixedCracks
         "broken (doc/model.md, section 8)",
         [](const auto &step) { return step.energies.smallest_jacobian; })
         .only_with("Model/Strains = finite")
-        .in_summary_as(InSummary::result)};
+        .in_summary_as(InSummary::result),
+      mean_stress(
+        "xx",
+        "mean stress of the periodic cell, ∫ σ dx over the volume of the cell, "
+        "that of holes included; at finite strain of the first "
+        "Piola-Kirchhoff stress, the first letter the component, the second "
+        "the normal. In a direction without periodic sides the cell is as wide "
+        "as the body"),
+      mean_stress("xy", "likewise"),
+      mean_stress("xz", "likewise").only_in_3d(),
+      mean_stress("yx", "likewise; at small strain that of xy")
+        .only_with(finite_periodic),
+      mean_stress("yy", "likewise"),
+      mean_stress("yz", "likewise").only_in_3d(),
+      mean_stress("zx", "likewise").only_with(finite_periodic).only_in_3d(),
+      mean_stress("zy", "likewise").only_with(finite_periodic).only_in_3d(),
+      mean_stress("zz", "likewise").only_in_3d()};
     return list;
   }
 } // namespace MixedCracks

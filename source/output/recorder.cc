@@ -15,6 +15,7 @@
 
 #include <base/collective.h>
 
+#include <output/mean_stress.h>
 #include <output/quantities.h>
 #include <output/recorder.h>
 
@@ -35,6 +36,7 @@ namespace MixedCracks
                           const Constraints<dim>     &constraints,
                           const RecorderOptions<dim> &options)
     : fields(fields)
+    , constraints(constraints)
     , options(options)
     , boundary_quantities(fields, constraints, options.force_boundary)
     , crack_path_writer(options.output.directory, fields.communicator())
@@ -73,6 +75,12 @@ namespace MixedCracks
       asked.push_back("Output/Crack volume");
     if (options.finite_strain)
       asked.push_back("Model/Strains = finite");
+    if (constraints.periodic().any())
+    {
+      asked.push_back("Geometry/Periodic sides");
+      if (options.finite_strain)
+        asked.push_back("Geometry/Periodic sides and Model/Strains = finite");
+    }
     return asked;
   }
 
@@ -158,7 +166,12 @@ namespace MixedCracks
     step.effort        = effort;
     step.totals        = earlier + piece;
     step.totals.wall_time += wall_clock.wall_time();
-    step.n_refinements      = n_refinements;
+    step.n_refinements   = n_refinements;
+    const auto &periodic = constraints.periodic();
+    if (periodic.any())
+      step.mean_stress =
+        integral_of_stress(fields, *assembler, state) /
+        periodic.sides().cell_volume(fields.elastic.get_triangulation());
     StatisticsRow row       = evaluate_quantities(step, asked_quantities());
     row.point_displacements = point_displacements.evaluate(state.elastic);
     row.reactions           = point_reactions.evaluate(fields, state.reaction);

@@ -14,6 +14,7 @@
 //   Pressure                 ( -p(x, t) n, w ) on a boundary, p in MPa; finite
 //                            strain: ( -p cof(F) n, w )
 //   Body force               ( f(x, t), w ) in the body, f in N/mm^3
+//   Mean strain              u(x + L) - u(x) = E(t) L on periodic sides
 //
 // Each component is a condition of its own: a roller has one, a clamp, "all",
 // dim of them. A boundary that is not named is free: tau = 0, and grad phi . n
@@ -162,6 +163,19 @@ namespace MixedCracks
                       "Forces per volume, 'component : expression ; ...'; at "
                       "finite strain dead loads, per undeformed volume. Unit: "
                       "N/mm^3.");
+    prm.add_parameter(
+      "Mean strain",
+      mean_strain_text,
+      "Of a body with Geometry/Periodic sides, what the sides are moved by "
+      "against each other: 'component : expression ; ...', as in 'xx : 0.01*t ; "
+      "xy : 0.005*t', expressions in t. u(x + L) - u(x) = E L, with L the "
+      "vector between the two sides of a pair and E = 0 for components that "
+      "are not named. At small strain E is symmetric, 'xy' gives E_xy = E_yx "
+      "(half the angle); at finite strain E_ij is the mean of du_i/dx_j, the "
+      "mean deformation gradient less 1, and 'xy' and 'yx' are components of "
+      "their own. In a direction without periodic sides the body is free. "
+      "Unit: 1.",
+      Patterns::Anything());
     prm.add_parameter(
       "Unbreakable margin",
       margin,
@@ -314,10 +328,10 @@ namespace MixedCracks
 
   template <int dim>
   void
-  BoundaryConditions<dim>::check(
-    const NamedBoundaries              &boundaries,
-    const std::function<std::string()> &hint,
-    const std::vector<std::string>     &point_sets) const
+  BoundaryConditions<dim>::check(const NamedBoundaries              &boundaries,
+                                 const std::function<std::string()> &hint,
+                                 const std::vector<std::string>     &point_sets,
+                                 const bool is_periodic) const
   {
     std::vector<std::string> names;
     for (const auto &boundary : boundaries)
@@ -340,7 +354,7 @@ namespace MixedCracks
     const auto points = point_displacements();
     require_known_sets(points, point_sets, points_name);
     require_known_sets(point_forces(), point_sets, forces_name);
-    if (!any_displacement && points.empty())
+    if (!any_displacement && points.empty() && !is_periodic)
       throw InputError(displacement_name +
                        ": no displacement is prescribed anywhere, here or in "
                        "Displacement at points, so the body can move freely. "

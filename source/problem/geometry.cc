@@ -22,6 +22,7 @@
 #include <problem/geometries/rectangle.h>
 #include <problem/geometries/slit_square.h>
 #include <problem/geometry.h>
+#include <problem/periodic_entries.h>
 
 #include <algorithm>
 #include <cctype>
@@ -189,6 +190,18 @@ namespace MixedCracks
       "and are used as those of sides. --check, which builds no large mesh, "
       "tries the conditions on larger faces.",
       dealii::Patterns::Anything());
+    prm.add_parameter(
+      "Periodic sides",
+      periodic_sides,
+      "Pairs of sides that are images of each other, 'boundary : boundary ; "
+      "...', as in 'left : right ; bottom : top': the body is one cell of a "
+      "pattern that repeats itself. Both are flat, and their faces differ by "
+      "one translation L, which the program finds. Pressure and phase field are "
+      "equal on them, a crack that leaves through one enters through the other; "
+      "displacements differ by u+ - u- = E L, see Boundary conditions/Mean "
+      "strain. What nothing else holds of the body's translations is held at "
+      "one vertex.",
+      dealii::Patterns::Anything());
     points.add_parameters(prm);
     for (const std::string &each : names)
     {
@@ -246,6 +259,18 @@ namespace MixedCracks
       made_with_regions = key;
     }
     return *with_regions;
+  }
+
+
+
+  template <int dim>
+  std::vector<PeriodicPair>
+  GeometryParameters<dim>::periodic_pairs() const
+  {
+    return read_periodic_pairs(
+      periodic_sides, chosen().boundary_ids(), [this]() {
+        return chosen().hint_about_boundaries();
+      });
   }
 
 

@@ -36,7 +36,9 @@ namespace MixedCracks
              {parameters.model.mixed(), parameters.model.degree()})
     , constraints(
         fields,
-        prescribed_components(parameters, n_elastic_components(parameters)))
+        prescribed_components(parameters, n_elastic_components(parameters)),
+        {},
+        periodicity(parameters))
   {
     constraints.take_points_from([this]() {
       return prescribed_points(this->parameters,
@@ -77,6 +79,7 @@ namespace MixedCracks
                      const double           first_cell_size)
   {
     parameters.geometry.chosen().create(triangulation);
+    make_periodic(parameters, triangulation);
     checkpoint.load_mesh(triangulation);
     cell_size = first_cell_size;
     set_up();

@@ -24,7 +24,8 @@ namespace MixedCracks
     const std::vector<std::string> motions =
       free_rigid_motions(triangulation,
                          constraints.prescribed_components(),
-                         constraints.prescribed_points());
+                         constraints.prescribed_points(),
+                         constraints.periodic().sides());
     if (!motions.empty())
       throw InputError(
         "Boundary conditions/Displacement, with Displacement at points, leaves "

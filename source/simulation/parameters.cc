@@ -59,7 +59,8 @@ namespace MixedCracks
     for (const auto &entry : boundary_conditions.displacements())
       if (entry.component < dim)
         return entry.boundary;
-    return "";
+    const auto pairs = geometry.periodic_pairs();
+    return pairs.empty() ? "" : pairs.front().names[1];
   }
 
 
@@ -73,10 +74,14 @@ namespace MixedCracks
     model.check(dim);
     material.check();
     const auto boundaries = geometry.chosen().boundary_ids();
+    const auto pairs      = geometry.periodic_pairs();
     boundary_conditions.check(
       boundaries,
       [this]() { return geometry.chosen().hint_about_boundaries(); },
-      geometry.point_sets().names());
+      geometry.point_sets().names(),
+      !pairs.empty());
+    boundary_conditions.check_periodic(pairs, boundaries);
+    boundary_conditions.mean_strain(model.strain.is_finite());
     fluid.check();
     if (model.strain.is_finite() && fluid.pressure())
       throw InputError("Fluid/Pressure: found '" + fluid.pressure_text +
@@ -111,6 +116,8 @@ namespace MixedCracks
           std::find(prescribed.begin(), prescribed.end(), entry.boundary) ==
             prescribed.end())
         prescribed.push_back(entry.boundary);
+    for (const PeriodicPair &pair : pairs)
+      prescribed.insert(prescribed.end(), pair.names.begin(), pair.names.end());
     const std::string force = force_boundary();
     if (prescribed.empty() && !force.empty())
       throw InputError("Load stepping/Force boundary: found '" + force +
@@ -124,7 +131,8 @@ namespace MixedCracks
       throw InputError("Load stepping/Force boundary: " +
                        unknown_name_message(force, prescribed) +
                        " These are the boundaries with prescribed "
-                       "displacement, where there is a reaction.");
+                       "displacement and periodic sides, where there is a "
+                       "reaction.");
   }
 
 

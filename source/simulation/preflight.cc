@@ -114,6 +114,7 @@ namespace MixedCracks
     log.line("case: " + case_in_words());
     report_sizes();
     report_material_and_costs();
+    report_periodic_sides();
     report_slits(slits);
     found = earlier;
     find_warnings();
@@ -230,6 +231,30 @@ namespace MixedCracks
                              body.fields,
                              static_cast<std::uint64_t>(mesh.n_cells),
                              body.triangulation.n_cells(0)))));
+  }
+
+
+
+  template <int dim>
+  void
+  Preflight<dim>::report_periodic_sides() const
+  {
+    const auto pairs = body.parameters.geometry.periodic_pairs();
+    for (std::size_t i = 0; i < pairs.size(); ++i)
+      log.line("periodic sides: '" + pairs[i].names[0] + "' and '" +
+               pairs[i].names[1] + "', " +
+               in_brackets(
+                 Point<dim>(body.constraints.periodic().sides().periods()[i])) +
+               " apart");
+    const auto &held = body.constraints.held_components();
+    if (held.empty())
+      return;
+    std::vector<std::string> components;
+    for (const unsigned int d : held)
+      components.push_back(std::string(1, "xyz"[d]));
+    log.line(
+      "held at " + in_brackets(body.constraints.held_vertex()) +
+      ", as nothing else holds the body: " + join_names(components, " and "));
   }
 
 

@@ -79,6 +79,22 @@ namespace MixedCracks
       value.set_time(time);
       return size_at<dim>(value, places, component);
     }
+    template <int dim>
+    std::optional<double>
+    mean_strain_size(const Parameters<dim> &parameters, const double time)
+    {
+      try
+      {
+        return parameters.boundary_conditions
+          .mean_strain(parameters.model.strain.is_finite())
+          .at(time)
+          .norm();
+      }
+      catch (const InputError &)
+      {
+        return {};
+      }
+    }
   } // namespace
 
 
@@ -115,6 +131,7 @@ namespace MixedCracks
                                          : places,
                        time));
     result.strain = displacement / extent;
+    add(result.strain, mean_strain_size(parameters, time));
     for (const auto &[boundary, traction] : given.tractions(dim))
     {
       traction->set_time(time);

@@ -141,6 +141,7 @@ namespace MixedCracks
                    Triangulation<dim>    &triangulation)
   {
     geometry.create(triangulation);
+    make_periodic(parameters, triangulation);
     // what only the mesh of a file can tell
     parameters.mesh.check(GridTools::compute_bounding_box(triangulation),
                           geometry.names());

@@ -140,6 +140,7 @@ namespace MixedCracks
                         values(dof) = 0.;
                   });
     values.compress(VectorOperation::insert);
+    constraints.spread_least(values);
     constraints.phase_field_hanging_nodes().distribute(values);
     return values;
   }
@@ -223,20 +224,26 @@ namespace MixedCracks
     entries.insert(entries.end(), forces.begin(), forces.end());
     const auto points = placed_points(
       parameters, entries, fields.phase_field.get_triangulation());
+    const auto shifts =
+      shifts_to_images(parameters, fields.phase_field.get_triangulation());
     for_each_node(fields,
                   [&](const types::global_dof_index dof,
                       const Point<dim>             &position,
                       const double                  size) {
-                    for (const FlatPiece<dim> &face : faces)
-                      if (distance(position, face) <= margin + 1e-6 * size)
-                      {
-                        frozen.add_index(dof);
-                        return;
-                      }
-                    for (const auto &entry : points)
-                      if (position.distance(entry.point) <=
-                          margin + 1e-6 * size)
-                        frozen.add_index(dof);
+                    const double far = margin + 1e-6 * size;
+                    for (const Tensor<1, dim> &shift : shifts)
+                    {
+                      const Point<dim> image = position + shift;
+                      for (const FlatPiece<dim> &face : faces)
+                        if (distance(image, face) <= far)
+                        {
+                          frozen.add_index(dof);
+                          return;
+                        }
+                      for (const auto &entry : points)
+                        if (image.distance(entry.point) <= far)
+                          frozen.add_index(dof);
+                    }
                   });
     return frozen;
   }

@@ -132,9 +132,11 @@ namespace MixedCracks
     prm.add_parameter("Force boundary",
                       force_boundary,
                       "Name of the boundary whose reaction force is reported; "
-                      "displacement must be prescribed on it. Empty: the first "
-                      "one named in Boundary conditions/Displacement; where "
-                      "displacement is prescribed at points only, the points "
+                      "displacement must be prescribed on it, or it is one of "
+                      "Geometry/Periodic sides. Empty: the first one named in "
+                      "Boundary conditions/Displacement; else the second of "
+                      "Periodic sides; where displacement is prescribed at "
+                      "points only, the points "
                       "that move (all where none does), whose reaction is "
                       "taken as it acts on the body.");
     prm.leave_subsection();

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Where Newton's method of a load step starts from.
 //
-// Small strain: the accepted state, in proportion to the load.
+// Small strain: the accepted state, in proportion to the load; else with the
+// change of the mean strain of a periodic body, dE x, added everywhere.
 //
 // Finite strain: there is no proportion; scaled with the load, u would turn
 // broken cells, which are stretched a hundredfold, inside out. With x the
@@ -67,7 +68,8 @@ namespace MixedCracks
     const double ratio =
       size > 0. ? (before * after + forces_before * forces_after) / size : 0.;
     Vector start(after);
-    start = accepted.elastic;
+    start              = accepted.elastic;
+    bool in_proportion = false;
     if (size > 0.)
     {
       Vector difference(after);
@@ -75,9 +77,12 @@ namespace MixedCracks
       forces_after.add(-ratio, forces_before);
       const double error =
         difference * difference + forces_after * forces_after;
-      if (error <= 1e-24 * ratio * ratio * size)
-        start *= ratio;
+      in_proportion = error <= 1e-24 * ratio * ratio * size;
     }
+    if (in_proportion)
+      start *= ratio;
+    else
+      constraints.add_mean_strain(accepted.time, trial.time, start);
     constraints.apply_prescribed(trial.time, start);
     trial.elastic = start;
   }

@@ -7,8 +7,7 @@
 Whatever is wrong, the program has to leave within a minute with the right
 exit status, say so once (on one rank) on the error stream in words that name
 what was found and what is allowed, without traces of the inside, and leave no
-files. The cases are in bad_inputs.py, bad_inputs_3d.py and bad_inputs_finite.py. Prints every
-offence; exit status 1 when there is one.
+files. The cases are in bad_inputs.py and bad_inputs_*.py. Prints every offence; exit status 1 when there is one.
 """
 import concurrent.futures
 import os
@@ -22,8 +21,9 @@ import time
 from bad_inputs import BASE, CASES as CASES_2D
 from bad_inputs_3d import CASES as CASES_3D
 from bad_inputs_finite import CASES as CASES_FINITE
+from bad_inputs_periodic import CASES as CASES_PERIODIC
 
-CASES = CASES_2D + CASES_3D + CASES_FINITE
+CASES = CASES_2D + CASES_3D + CASES_FINITE + CASES_PERIODIC
 
 TIME_LIMIT = 60  # s; a run takes one, more where the machine has much to do
 MESSAGE = "mixed-cracks: error: "
