@@ -4,9 +4,6 @@
 
 #include <deal.II/base/index_set.h>
 
-#include <deal.II/dofs/dof_handler.h>
-#include <deal.II/dofs/dof_tools.h>
-
 #include <deal.II/lac/affine_constraints.h>
 
 namespace MixedCracks
@@ -24,19 +21,6 @@ namespace MixedCracks
       constraints.reinit(owned, relevant);
 #else
       constraints.reinit(relevant);
-#endif
-    }
-
-    template <int dim>
-    dealii::IndexSet
-    relevant_dofs(const dealii::DoFHandler<dim> &dof_handler)
-    {
-#if DEAL_II_VERSION_GTE(9, 6, 0)
-      return dealii::DoFTools::extract_locally_relevant_dofs(dof_handler);
-#else
-      dealii::IndexSet relevant;
-      dealii::DoFTools::extract_locally_relevant_dofs(dof_handler, relevant);
-      return relevant;
 #endif
     }
   } // namespace Compat

@@ -22,7 +22,7 @@ namespace MixedCracks
     , indices(dofs_per_cell)
   {
     // vectors with ghosts store the relevant dofs in ascending order
-    sets.relevant.fill_index_vector(global);
+    global.assign(sets.relevant.begin(), sets.relevant.end());
     for (const auto &cell : handler.active_cell_iterators())
       if (cell->is_locally_owned())
       {

@@ -17,6 +17,8 @@
 // damage reaches farther back than to the sides) that are nearer than
 // 'distance' to each other are one tip, and n is the sum of theirs.
 
+#include <base/coordinates.h>
+
 #include <deal.II/base/mpi.h>
 
 #include <discretization/adaptation.h>
@@ -55,8 +57,7 @@ namespace MixedCracks
       for (const auto &part : Utilities::MPI::all_gather(communicator, points))
         all.insert(all.end(), part.begin(), part.end());
       std::sort(all.begin(), all.end(), [](const auto &a, const auto &b) {
-        return std::lexicographical_compare(
-          a.begin_raw(), a.end_raw(), b.begin_raw(), b.end_raw());
+        return coordinates_of(a) < coordinates_of(b);
       });
       all.erase(std::unique(all.begin(), all.end()), all.end());
       return all;

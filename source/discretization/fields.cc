@@ -14,8 +14,6 @@
 // of degree 2 (degree u) + 1 in each direction, which the stiffness of an
 // intact rectangle is; rational or kinked integrands are not.
 
-#include <base/compat.h>
-
 #include <deal.II/base/quadrature_lib.h>
 
 #include <deal.II/dofs/dof_tools.h>
@@ -43,7 +41,8 @@ namespace MixedCracks
     DofSets
     dof_sets(const dealii::DoFHandler<dim> &handler)
     {
-      return {handler.locally_owned_dofs(), Compat::relevant_dofs(handler)};
+      return {handler.locally_owned_dofs(),
+              dealii::DoFTools::extract_locally_relevant_dofs(handler)};
     }
   } // namespace
 

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
+#include <base/coordinates.h>
 #include <base/errors.h>
 #include <base/text.h>
 
@@ -6,7 +7,6 @@
 
 #include <output/crack_opening_parameters.h>
 
-#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -30,7 +30,7 @@ namespace MixedCracks
                          "', allowed is " + std::to_string(dim) +
                          " numbers separated by commas.");
       Point<dim> point;
-      std::copy(numbers.begin(), numbers.end(), point.begin_raw());
+      set_coordinates(numbers, point);
       return point;
     }
 

@@ -11,6 +11,7 @@
 #include <deal.II/base/mpi.h>
 
 #include <deal.II/grid/grid_tools.h>
+#include <deal.II/grid/tria_description.h>
 
 #include <output/crack_surface.h>
 #include <output/disk.h>

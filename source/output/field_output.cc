@@ -117,8 +117,8 @@ namespace MixedCracks
     const auto           &triangulation = fields.elastic.get_triangulation();
     DataOutBase::VtkFlags flags;
     flags.time = state.time;
-    flags.compression_level =
-      DataOutBase::VtkFlags::ZlibCompressionLevel::best_speed;
+    // the enumeration has another name in deal.II 9.4 than from 9.5 on
+    flags.compression_level = decltype(flags.compression_level)::best_speed;
     data_out.set_flags(flags);
     data_out.attach_triangulation(triangulation);
     add_elastic_fields(fields, state.elastic, data_out);

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
+#include <base/coordinates.h>
 #include <base/errors.h>
 #include <base/text.h>
 
@@ -90,7 +91,7 @@ namespace MixedCracks
                          ", allowed is a point of " + std::to_string(dim) +
                          " numbers, as '" + (dim == 2 ? "0, 1" : "0, 1, 2") +
                          "'.");
-      std::copy(numbers.begin(), numbers.end(), point.position.begin_raw());
+      set_coordinates(numbers, point.position);
       result.push_back(point);
     }
     return result;

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
+#include <base/coordinates.h>
 #include <base/errors.h>
 #include <base/names.h>
 #include <base/text.h>
@@ -89,7 +90,7 @@ namespace MixedCracks
                            " numbers, as '" + (dim == 2 ? "0, 1" : "0, 1, 2") +
                            "'.");
         watched.about.emplace();
-        std::copy(numbers.begin(), numbers.end(), watched.about->begin_raw());
+        set_coordinates(numbers, *watched.about);
       }
       // by columns: 'a b' and 'a_b' would have the same
       if (!columns.insert(watched.column_names().front()).second)

@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
+#include <base/coordinates.h>
 #include <base/errors.h>
 #include <base/names.h>
 #include <base/text.h>
 
 #include <problem/boundary_entries.h>
 #include <problem/named_conditions.h>
-
-#include <algorithm>
 
 namespace MixedCracks
 {
@@ -95,7 +94,7 @@ namespace MixedCracks
                          "', allowed is a point of " + std::to_string(dim) +
                          " numbers, as '" + (dim == 2 ? "0, 1" : "0, 1, 2") +
                          "'.");
-      std::copy(numbers.begin(), numbers.end(), at.point.begin_raw());
+      set_coordinates(numbers, at.point);
       return at;
     }
   } // namespace

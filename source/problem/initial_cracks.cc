@@ -17,6 +17,7 @@
 // a grid line one row of nodes is broken and no cell is; w = h makes two rows
 // of broken cells.
 
+#include <base/coordinates.h>
 #include <base/errors.h>
 #include <base/text.h>
 
@@ -49,7 +50,7 @@ namespace MixedCracks
                          std::to_string(dim) + " numbers, as '" +
                          (dim == 2 ? "0,1'." : "0,1,2'."));
       Point<dim> point;
-      std::copy(numbers.begin(), numbers.end(), point.begin_raw());
+      set_coordinates(numbers, point);
       return point;
     }
 

@@ -8,6 +8,7 @@
 // and errors in it are found before there is a mesh; others are evaluated at
 // every quadrature point, and a bad value names the point.
 
+#include <base/coordinates.h>
 #include <base/errors.h>
 #include <base/names.h>
 #include <base/text.h>
@@ -213,11 +214,12 @@ namespace MixedCracks
   MaterialField<dim>::operator()(const dealii::Point<dim>        &point,
                                  const dealii::types::material_id id) const
   {
-    const MaterialConstants &constants = constants_of(id);
+    const MaterialConstants      &constants   = constants_of(id);
+    const std::array<double, dim> coordinates = coordinates_of(point);
     try
     {
       GridData::Coordinates position{{0., 0., 0.}};
-      std::copy(point.begin_raw(), point.end_raw(), position.begin());
+      std::copy(coordinates.begin(), coordinates.end(), position.begin());
       return constants.evaluate({{position[0],
                                   position[1],
                                   position[2],
@@ -227,7 +229,7 @@ namespace MixedCracks
     {
       throw InputError(
         std::string(error.what()) + " Found at " +
-        point_text({point.begin_raw(), point.end_raw()}) +
+        point_text({coordinates.begin(), coordinates.end()}) +
         (by_id.empty() ? "" : ", material id " + std::to_string(id)) + ".");
     }
   }

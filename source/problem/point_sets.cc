@@ -6,6 +6,7 @@
 // mesh.
 
 #include <base/collective.h>
+#include <base/coordinates.h>
 #include <base/errors.h>
 #include <base/names.h>
 
@@ -35,8 +36,7 @@ namespace MixedCracks
     order(std::vector<Point<dim>> &points)
     {
       std::sort(points.begin(), points.end(), [](const auto &a, const auto &b) {
-        return std::lexicographical_compare(
-          a.begin_raw(), a.end_raw(), b.begin_raw(), b.end_raw());
+        return coordinates_of(a) < coordinates_of(b);
       });
       points.erase(std::unique(points.begin(), points.end()), points.end());
     }

@@ -8,6 +8,7 @@
 // the crack it was meant for would run through coarse cells. Without an extent,
 // as of a mesh file, this is checked once there is a mesh.
 
+#include <base/coordinates.h>
 #include <base/errors.h>
 #include <base/names.h>
 #include <base/text.h>
@@ -50,7 +51,8 @@ namespace MixedCracks
     std::string
     corner_text(const dealii::Point<dim> &corner)
     {
-      return point_text({corner.begin_raw(), corner.end_raw()});
+      const auto coordinates = coordinates_of(corner);
+      return point_text({coordinates.begin(), coordinates.end()});
     }
 
 

@@ -6,12 +6,12 @@
 //
 // 1 - cos(theta) = 2 sin(theta/2)^2, which has all its digits for small angles.
 
+#include <base/coordinates.h>
 #include <base/errors.h>
 #include <base/text.h>
 
 #include <problem/rotation.h>
 
-#include <algorithm>
 #include <cmath>
 
 namespace MixedCracks
@@ -33,7 +33,7 @@ namespace MixedCracks
                          ", allowed is " + Rotation<dim>::form() + ", with " +
                          std::to_string(dim) + " numbers each.");
       Tensor<1, dim> result;
-      std::copy(numbers.begin(), numbers.end(), result.begin_raw());
+      set_coordinates(numbers, result);
       return result;
     }
 

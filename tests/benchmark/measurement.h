@@ -5,6 +5,7 @@
 
 #include "../unit/elastic_system.h"
 
+#include <deal.II/base/mpi.h>
 #include <deal.II/base/timer.h>
 #include <deal.II/base/utilities.h>
 

@@ -224,8 +224,17 @@ TEST(ElasticPotential, MarksTheNodesOfCellsThatAreTurnedInsideOut)
   lower_where(marks, half, lowered);
 
   std::map<dealii::types::global_dof_index, Point<dim>> places;
-  dealii::DoFTools::map_dofs_to_support_points(
-    square.fields.mapping, square.fields.phase_field, places);
+  const auto &element = square.fields.phase_field.get_fe();
+  std::vector<dealii::types::global_dof_index> indices(
+    element.n_dofs_per_cell());
+  for (const auto &cell : square.fields.phase_field.active_cell_iterators())
+    if (cell->is_locally_owned())
+    {
+      cell->get_dof_indices(indices);
+      for (unsigned int i = 0; i < indices.size(); ++i)
+        places[indices[i]] = square.fields.mapping.transform_unit_to_real_cell(
+          cell, element.unit_support_point(i));
+    }
   for (const auto i : dofs.owned)
     if (!hanging.is_constrained(i))
     {

@@ -8,6 +8,7 @@
 #include <deal.II/base/hdf5.h>
 #include <deal.II/distributed/tria.h>
 #include <deal.II/grid/grid_generator.h>
+#include <deal.II/lac/full_matrix.h>
 #include <deal.II/numerics/vector_tools.h>
 
 #include <output/field_output.h>

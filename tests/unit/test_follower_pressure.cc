@@ -8,6 +8,7 @@
 #include <assembly/normal_loads.h>
 
 #include <deal.II/base/function_lib.h>
+#include <deal.II/base/quadrature_lib.h>
 
 #include <discretization/sparse_matrix.h>
 

@@ -301,8 +301,8 @@ TEST_F(AdaptiveCube, CarriesTheFieldsOverExactly)
 TEST_F(AdaptiveCube, HasTheSameConstraintsOnAllRanks)
 {
   refine_around_the_crack({}, {});
-  dealii::IndexSet active;
-  dealii::DoFTools::extract_locally_active_dofs(fields.elastic, active);
+  const dealii::IndexSet active =
+    dealii::DoFTools::extract_locally_active_dofs(fields.elastic);
   const auto owned = dealii::Utilities::MPI::all_gather(
     MPI_COMM_WORLD, fields.elastic_dofs.owned);
   for (const auto *each : {&constraints.elastic_hanging_nodes(),

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Slits are found by their places, and are seen to close.
 #include <deal.II/distributed/tria.h>
+#include <deal.II/grid/tria_description.h>
 
 #include <gtest/gtest.h>
 

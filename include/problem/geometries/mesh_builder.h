@@ -3,6 +3,7 @@
 #define mixed_cracks_problem_geometries_mesh_builder_h
 
 #include <deal.II/grid/tria.h>
+#include <deal.II/grid/tria_description.h>
 
 #include <discretization/boundary_ids.h>
 

@@ -13,6 +13,7 @@
 // What names there are the file tells as well, so that it is read once more
 // when a case is checked.
 
+#include <base/coordinates.h>
 #include <base/text.h>
 
 #include <deal.II/base/mpi.h>
@@ -25,7 +26,6 @@
 #include <problem/geometries/mesh_reader.h>
 #include <problem/geometries/mesh_scan.h>
 
-#include <algorithm>
 #include <cmath>
 #include <cstdlib>
 #include <set>
@@ -257,7 +257,7 @@ namespace MixedCracks
               parameter + ": the radius " + in_quotes(parts[2]) +
                 " must be greater than 0.");
       Circle circle = {id->second, id->first, {}, radius, center.size() < dim};
-      std::copy(center.begin(), center.end(), circle.center.begin_raw());
+      set_coordinates(center, circle.center);
       result.push_back(circle);
     }
     return result;
