@@ -48,6 +48,12 @@ namespace MixedCracks
 
     LinearOutcome initialize(const LinearSystem &system) override;
 
+    void
+    release() override
+    {
+      solver.reset();
+    }
+
     LinearOutcome factorize() override;
 
     /// matrix * @p solution = @p right_hand_side with the last factors.

@@ -89,6 +89,12 @@ namespace MixedCracks
     /// Take a system with a new pattern, and analyse it.
     virtual LinearOutcome initialize(const LinearSystem &system) = 0;
 
+    /// Let go of the present system: to be called before its matrix gets
+    /// another pattern, for libraries ask the old one to the last.
+    virtual void
+    release()
+    {}
+
     /// Take the present values of the matrix.
     virtual LinearOutcome factorize() = 0;
 

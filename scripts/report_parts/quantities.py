@@ -3,7 +3,7 @@
 names: "elastic_energy_mJ" is the elastic energy, in mJ. What the program adds
 to its list (source/output/quantities_list.cc) has words without a line here."""
 
-UNITS = {"mm": "mm", "mm2": "mm²", "mm3": "mm³", "N": "N", "mJ": "mJ", "s": "s"}
+UNITS = {"mm": "mm", "mm2": "mm²", "mm3": "mm³", "N": "N", "MPa": "MPa", "mJ": "mJ", "s": "s"}
 PROPER_NAMES = {"newton": "Newton"}
 
 

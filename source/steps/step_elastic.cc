@@ -56,6 +56,8 @@ namespace MixedCracks
     if (loads.fluid)
       loads.fluid->reinit();
     const DofSets &dofs = fields.elastic_dofs;
+    if (solver)
+      solver->release();
     make_sparse_matrix(
       fields.elastic, dofs, constraints.elastic_corrections(), matrix);
     if (assembler.is_finite())

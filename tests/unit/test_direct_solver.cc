@@ -129,6 +129,7 @@ TEST_P(EveryDirectSolver, CanBeInitializedAgain)
   expect_success(solver.factorize());
   expect_solves(solver, saddle);
   // and the same object with a new pattern, as after refinement
+  solver.release();
   make_matrix(string_rows(11), second);
   initialize(second);
   expect_success(solver.factorize());

@@ -52,8 +52,9 @@ TEST(Quantities, HaveTheColumnsOfStatistics)
 // scripts/report_parts/quantities.py.
 TEST(Quantities, HaveNamesOfTheirOwnAndKnownUnits)
 {
-  const std::set<std::string> units = {"", "mm", "mm2", "mm3", "N", "mJ", "s"};
-  std::set<std::string>       names;
+  const std::set<std::string> units = {
+    "", "mm", "mm2", "mm3", "N", "MPa", "mJ", "s"};
+  std::set<std::string> names;
   for (const Quantity &quantity : all_quantities())
   {
     EXPECT_TRUE(names.insert(quantity.name).second) << quantity.name;
