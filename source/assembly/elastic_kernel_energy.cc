@@ -24,8 +24,9 @@ namespace MixedCracks
 
     // A gradient is a sum of nodal displacements over h, known to some 1e-15 of
     // their size over h whatever the strain: of a body that is moved or turned
-    // as a whole nothing else is left.
-    constexpr double rounding = 1e-6;
+    // as a whole nothing else is left. Of products and the inverse of F some
+    // ten times as much.
+    constexpr double rounding = 1e-6, rounding_at_finite_strain = 1e-5;
   } // namespace
 
 
@@ -97,15 +98,17 @@ namespace MixedCracks
   // s_u^2, |R_p| with that of s_p^2. To |eps| is added what rounding leaves of
   // it, for a tolerance of 1e-8, and to |sigma| what that strain makes:
   //
-  //   eps_0 = 1e-6 max |u|/h  (+ 1e-7 at finite strain)
+  //   eps_0 = 1e-6 max |u|/h, at finite strain 1e-5 max |u|/h + 1e-7
   template <int dim>
   std::pair<double, double>
   ElasticKernel<dim>::squared_scale() const
   {
     // a stress times the gradient of a shape function, of the order of 1/h
-    const double h     = std::pow(geometry->volume(), 1. / dim);
-    const double floor = rounding * largest_displacement / h +
-                         (material.is_finite() ? strain_floor : 0.);
+    const double h = std::pow(geometry->volume(), 1. / dim);
+    const double floor =
+      material.is_finite()
+        ? rounding_at_finite_strain * largest_displacement / h + strain_floor
+        : rounding * largest_displacement / h;
     double stress = 0., strain = 0.;
     for (unsigned int q = 0; q < states.size(); ++q)
     {

@@ -187,7 +187,8 @@ namespace MixedCracks
       start(time);
       const NewtonOutcome outcome =
         elastic_step->solve(state, parameters.solver.newton);
-      EXPECT_TRUE(outcome.converged) << outcome.reason;
+      EXPECT_TRUE(outcome.converged)
+        << outcome.reason << ", residual " << outcome.last.largest();
       return outcome;
     }
 
