@@ -5,6 +5,7 @@ number of ranks and in a run that is killed and goes on.
 
 usage: test_events.py EXECUTABLE MPIRUN
 """
+import fcntl
 import os
 import pathlib
 import re
@@ -126,6 +127,16 @@ class Events(unittest.TestCase):
             time.sleep(0.01)
         os.killpg(process.pid, signal.SIGKILL)
         process.wait()
+        # the rank is gone when its lock is, which may be a moment later
+        while time.time() < deadline + 20:
+            try:
+                with open(directory / ".lock", "rb") as lock:
+                    fcntl.flock(lock, fcntl.LOCK_EX | fcntl.LOCK_NB)
+                return
+            except BlockingIOError:
+                time.sleep(0.05)
+            except FileNotFoundError:
+                return
 
     def test_killed_in_between(self):
         for n_rows in range(1, len(self.events), 2):
