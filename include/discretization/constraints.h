@@ -130,7 +130,6 @@ namespace MixedCracks
     }
 
     /// Those of the phase field, periodic sides included.
-
     const dealii::AffineConstraints<double> &
     phase_field_hanging_nodes() const
     {
