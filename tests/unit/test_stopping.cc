@@ -15,6 +15,9 @@
 
 #include <gtest/gtest.h>
 
+#include <chrono>
+#include <thread>
+
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -148,6 +151,7 @@ TEST(Stopping, TheClockCountsFromWhenItIsHeeded)
   StopPoll poll(MPI_COMM_WORLD, 1e-6);
   EXPECT_FALSE(poll.ask("set-up"));
   poll.heed_the_clock();
+  std::this_thread::sleep_for(std::chrono::milliseconds(1));
   EXPECT_TRUE(poll.ask_before_a_step());
   EXPECT_TRUE(poll.is_by_clock());
   EXPECT_TRUE(poll.ask("anything"));
