@@ -50,7 +50,6 @@ namespace MixedCracks
                                     LinearAlgebra::Vector,
                                     Scaling>;
 
-    void   take_diagonal();
     double largest_eigenvalue() const;
 
     const LinearAlgebra::SparseMatrix &matrix;

@@ -46,7 +46,7 @@ namespace MixedCracks
   {
     scaling->factors.reinit(matrix.locally_owned_range_indices(),
                             matrix.get_mpi_communicator());
-    take_diagonal();
+    reinit();
     Polynomial::AdditionalData options(
       degree, safety_of_the_largest * smoothed_range, 0);
     options.max_eigenvalue = safety_of_the_largest * largest_eigenvalue();
@@ -58,14 +58,6 @@ namespace MixedCracks
 
   void
   ChebyshevSmoother::reinit()
-  {
-    take_diagonal();
-  }
-
-
-
-  void
-  ChebyshevSmoother::take_diagonal()
   {
     Epetra_Vector diagonal(matrix.trilinos_matrix().RowMap());
     matrix.trilinos_matrix().ExtractDiagonalCopy(diagonal);
