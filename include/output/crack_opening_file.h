@@ -3,6 +3,7 @@
 #define mixed_cracks_output_crack_opening_file_h
 
 #include <output/crack_opening_parameters.h>
+#include <output/restored_table.h>
 
 #include <mpi.h>
 
@@ -22,19 +23,23 @@ namespace MixedCracks
                      const std::vector<OpeningLine<dim>> &lines,
                      MPI_Comm                             communicator);
 
-    /// Begin anew.
-    void open();
+    /// See RestoredTable.
+    void
+    open()
+    {
+      table.open();
+    }
 
-    /// Write anew what an earlier run has come to, whatever its file holds by
-    /// now. @p earlier: its rows(), which rank 0 needs.
-    void restore(const std::string &earlier);
+    void
+    restore(const std::string &earlier)
+    {
+      table.restore(earlier);
+    }
 
-    /// The header and all rows, for a checkpoint; empty on other ranks than 0
-    /// and where there is no file.
     const std::string &
     rows() const
     {
-      return all_rows;
+      return table.rows();
     }
 
     /// @p openings: mm, one line after the other.
@@ -43,12 +48,8 @@ namespace MixedCracks
              const std::vector<double> &openings);
 
   private:
-    void write(const std::string &content, bool append) const;
-
-    const std::string                   name;
     const std::vector<OpeningLine<dim>> lines;
-    const MPI_Comm                      communicator;
-    std::string                         all_rows;
+    RestoredTable                       table;
   };
 } // namespace MixedCracks
 

@@ -9,6 +9,8 @@
 
 #include <mpi.h>
 
+#include <output/restored_table.h>
+
 #include <string>
 #include <utility>
 #include <vector>
@@ -36,19 +38,23 @@ namespace MixedCracks
                      TractionProfileOptions options,
                      MPI_Comm               communicator);
 
-    /// Begin anew.
-    void open();
+    /// See RestoredTable.
+    void
+    open()
+    {
+      table.open();
+    }
 
-    /// Write anew what an earlier run has come to, whatever its file holds by
-    /// now. @p earlier: its rows(), which rank 0 needs.
-    void restore(const std::string &earlier);
+    void
+    restore(const std::string &earlier)
+    {
+      table.restore(earlier);
+    }
 
-    /// The header and all rows, for a checkpoint; empty on other ranks than 0
-    /// and where there is no file.
     const std::string &
     rows() const
     {
-      return all_rows;
+      return table.rows();
     }
 
     /// An accepted step, where it is its turn.
@@ -56,12 +62,9 @@ namespace MixedCracks
     add(unsigned int step, const State &state, const Assembler<dim> &assembler);
 
   private:
-    void write(const std::string &content, bool append) const;
-
-    const std::string            name;
     const TractionProfileOptions options;
     const MPI_Comm               communicator;
-    std::string                  all_rows;
+    RestoredTable                table;
   };
 } // namespace MixedCracks
 

@@ -1,11 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include <base/collective.h>
 #include <base/finite_text.h>
 
-#include <deal.II/base/mpi.h>
-
 #include <output/crack_opening_file.h>
-#include <output/small_file.h>
 
 #include <iomanip>
 #include <sstream>
@@ -30,47 +26,11 @@ namespace MixedCracks
     const std::string                   &directory,
     const std::vector<OpeningLine<dim>> &lines,
     const MPI_Comm                       communicator)
-    : name(directory + "/crack_opening.csv")
-    , lines(lines)
-    , communicator(communicator)
+    : lines(lines)
+    , table(directory + "/crack_opening.csv",
+            lines.empty() ? "" : header(dim),
+            communicator)
   {}
-
-
-
-  template <int dim>
-  void
-  CrackOpeningFile<dim>::write(const std::string &content,
-                               const bool         append) const
-  {
-    if (lines.empty())
-      return;
-    std::string message;
-    if (dealii::Utilities::MPI::this_mpi_process(communicator) == 0)
-      message = append ? append_to_file(name, content)
-                       : replace_small_file(name, content);
-    throw_on_all_ranks(message, communicator);
-  }
-
-
-
-  template <int dim>
-  void
-  CrackOpeningFile<dim>::open()
-  {
-    restore("");
-  }
-
-
-
-  // The table is written from the rows of the checkpoint, not continued: rows
-  // of steps behind it, which will be computed again, must not stay.
-  template <int dim>
-  void
-  CrackOpeningFile<dim>::restore(const std::string &earlier)
-  {
-    all_rows = earlier.empty() && !lines.empty() ? header(dim) : earlier;
-    write(all_rows, /*append=*/false);
-  }
 
 
 
@@ -94,10 +54,7 @@ namespace MixedCracks
           out << ',' << position[d];
         out << ',' << openings[number] << '\n';
       }
-    // for checkpoints, of which the first rank knows
-    if (dealii::Utilities::MPI::this_mpi_process(communicator) == 0)
-      all_rows += out.str();
-    write(out.str(), /*append=*/true);
+    table.add(out.str());
   }
 
 

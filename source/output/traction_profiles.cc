@@ -7,12 +7,10 @@
 // Output/Watched boundaries is that of the nodes, which balances the loads
 // exactly; the two differ by the error of the stress.
 
-#include <base/collective.h>
 #include <base/finite_text.h>
 
 #include <deal.II/base/mpi.h>
 
-#include <output/small_file.h>
 #include <output/traction_profiles.h>
 
 #include <algorithm>
@@ -118,50 +116,12 @@ namespace MixedCracks
   TractionProfiles<dim>::TractionProfiles(const std::string     &directory,
                                           TractionProfileOptions options,
                                           const MPI_Comm         communicator)
-    : name(directory + "/traction_profiles.csv")
-    , options(std::move(options))
+    : options(std::move(options))
     , communicator(communicator)
+    , table(directory + "/traction_profiles.csv",
+            this->options.boundaries.empty() ? "" : header_of_tractions<dim>(),
+            communicator)
   {}
-
-
-
-  template <int dim>
-  void
-  TractionProfiles<dim>::write(const std::string &content,
-                               const bool         append) const
-  {
-    if (options.boundaries.empty())
-      return;
-    std::string message;
-    if (Utilities::MPI::this_mpi_process(communicator) == 0)
-      message = append ? append_to_file(name, content)
-                       : replace_small_file(name, content);
-    throw_on_all_ranks(message, communicator);
-  }
-
-
-
-  template <int dim>
-  void
-  TractionProfiles<dim>::open()
-  {
-    restore("");
-  }
-
-
-
-  // Written from the rows of the checkpoint, not continued: rows of steps
-  // behind it, which will be computed again, must not stay.
-  template <int dim>
-  void
-  TractionProfiles<dim>::restore(const std::string &earlier)
-  {
-    all_rows = earlier;
-    if (earlier.empty() && !options.boundaries.empty() &&
-        Utilities::MPI::this_mpi_process(communicator) == 0)
-      all_rows = header_of_tractions<dim>();
-    write(all_rows, /*append=*/false);
-  }
 
 
 
@@ -188,10 +148,7 @@ namespace MixedCracks
           out << ',' << point[2 * dim + d];
         out << ',' << options.thickness * point[3 * dim] << '\n';
       }
-    // for checkpoints, of which the first rank knows
-    if (Utilities::MPI::this_mpi_process(communicator) == 0)
-      all_rows += out.str();
-    write(out.str(), /*append=*/true);
+    table.add(out.str());
   }
 
 

@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include <base/collective.h>
+
+#include <deal.II/base/mpi.h>
+
+#include <output/restored_table.h>
+#include <output/small_file.h>
+
+namespace MixedCracks
+{
+  RestoredTable::RestoredTable(const std::string &name,
+                               const std::string &header,
+                               const MPI_Comm     communicator)
+    : name(name)
+    , header(header)
+    , communicator(communicator)
+  {}
+
+
+
+  void
+  RestoredTable::write(const std::string &content, const bool append) const
+  {
+    if (header.empty())
+      return;
+    std::string message;
+    if (dealii::Utilities::MPI::this_mpi_process(communicator) == 0)
+      message = append ? append_to_file(name, content)
+                       : replace_small_file(name, content);
+    throw_on_all_ranks(message, communicator);
+  }
+
+
+
+  void
+  RestoredTable::open()
+  {
+    restore("");
+  }
+
+
+
+  // Written from the rows of the checkpoint, not continued: rows of steps
+  // behind it, which will be computed again, must not stay.
+  void
+  RestoredTable::restore(const std::string &earlier)
+  {
+    all_rows = earlier;
+    if (earlier.empty() &&
+        dealii::Utilities::MPI::this_mpi_process(communicator) == 0)
+      all_rows = header;
+    write(all_rows, /*append=*/false);
+  }
+
+
+
+  void
+  RestoredTable::add(const std::string &lines)
+  {
+    // for checkpoints, of which the first rank knows
+    if (dealii::Utilities::MPI::this_mpi_process(communicator) == 0)
+      all_rows += lines;
+    write(lines, /*append=*/true);
+  }
+} // namespace MixedCracks
