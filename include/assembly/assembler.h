@@ -111,6 +111,14 @@ namespace MixedCracks
     void elastic_matrix(const Constraints           &constraints,
                         LinearAlgebra::SparseMatrix &matrix);
 
+    /// For products without a matrix: visit_tangents() will be those of the
+    /// last elastic_residual(), and the distances of the next ones from it.
+    void
+    note_matrix()
+    {
+      tangent.note_matrix(false);
+    }
+
     bool
     is_finite() const
     {

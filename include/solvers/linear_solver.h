@@ -4,6 +4,7 @@
 
 #include <base/linear_algebra.h>
 #include <base/registry.h>
+#include <base/saddle_point_product.h>
 #include <base/stop_request.h>
 
 #include <functional>
@@ -44,12 +45,15 @@ namespace MixedCracks
   };
 
   /// A matrix with what an iterative solver wants to know about its
-  /// unknowns. Direct solvers need the first two members only.
+  /// unknowns. Direct solvers need matrix and symmetry only.
   struct LinearSystem
   {
-    /// must outlive the solver; its values may change, its pattern not
-    const LinearAlgebra::SparseMatrix *matrix   = nullptr;
-    MatrixSymmetry                     symmetry = MatrixSymmetry::none;
+    /// must outlive the solver; its values may change, its pattern not.
+    /// nullptr for a solver that needs none.
+    const LinearAlgebra::SparseMatrix *matrix = nullptr;
+    /// the same as a product, for such a solver
+    const SaddlePointProduct *product  = nullptr;
+    MatrixSymmetry            symmetry = MatrixSymmetry::none;
     /// components of the displacement; those of one node follow each other
     unsigned int n_components = 1;
     /// one entry per owned row; the others are displacements
@@ -78,6 +82,8 @@ namespace MixedCracks
     /// it needs at most this times the iterations it needed at first; 0:
     /// always a new one.
     double tolerated_growth = 1.3;
+    /// whether the matrix is a product only, see LinearSystem
+    bool is_matrix_free = false;
   };
 
   /// Solves with one matrix, many times. Collective.
@@ -106,6 +112,13 @@ namespace MixedCracks
 
     /// Whether factors are expensive, and good for many exact solutions.
     virtual bool is_direct() const = 0;
+
+    /// Whether LinearSystem::matrix is used, or LinearSystem::product.
+    virtual bool
+    needs_matrix() const
+    {
+      return true;
+    }
 
     /// How often factors or hierarchies were computed.
     virtual unsigned int n_setups() const = 0;

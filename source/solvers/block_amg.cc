@@ -98,7 +98,7 @@ namespace MixedCracks
     void
     vmult(Vector &result, const Vector &source) const
     {
-      solver.system.matrix->vmult(result, source);
+      solver.product().vmult(result, source);
       result.scale(solver.row_scale);
     }
 
@@ -127,7 +127,7 @@ namespace MixedCracks
         solver.mass_solver->vmult(pressures.data(), fluxes.data());
         for (double &pressure : pressures)
           pressure *= -1.;
-        multiply(*solver.coupling, displacements.data(), pressures.data());
+        solver.product().pressure_forces(displacements.data(), pressures.data());
         for (std::size_t k = 0; k < forces.size(); ++k)
           forces[k] -= displacements[k];
       }
@@ -210,13 +210,15 @@ namespace MixedCracks
     GrowingVectorMemory<Vector>::release_unused_memory();
     is_displacement = system.is_pressure;
     is_displacement.flip();
-    row_scale.reinit(system.matrix->locally_owned_range_indices(),
-                     system.matrix->get_mpi_communicator());
     const bool any =
       std::find(system.is_pressure.begin(), system.is_pressure.end(), true) !=
       system.is_pressure.end();
+    if (needs_matrix())
+      AssembledProduct(*system.matrix, {}).reinit(row_scale);
+    else
+      system.product->reinit(row_scale);
     has_pressure =
-      Utilities::MPI::max(any ? 1 : 0, system.matrix->get_mpi_communicator());
+      Utilities::MPI::max(any ? 1 : 0, row_scale.get_mpi_communicator());
     return {};
   }
 

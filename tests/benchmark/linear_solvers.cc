@@ -143,8 +143,9 @@ namespace
     ElasticSystem<dim> system(options);
     if (arguments.random)
       randomize(system);
-    for (const std::string name : {"block AMG", "direct"})
-      if (arguments.solver == name || arguments.solver == "both")
+    for (const std::string name : {"block AMG", "direct", "matrix-free"})
+      if (arguments.solver == name ||
+          (arguments.solver == "both" && name != "matrix-free"))
         print_row(system, measure<dim>(name, system, arguments.tolerance));
   }
 
@@ -184,6 +185,8 @@ namespace
     options.refinements = refinements_for(arguments, arguments.largest);
     options.kappa       = arguments.worst ? 1e-6 : 1e-4;
     options.damage      = arguments.worst ? Damage::through : Damage::half;
+    options.matrix_free = arguments.solver == "matrix-free";
+    options.with_matrix = !options.matrix_free;
     return options;
   }
 

@@ -6,6 +6,7 @@
 #define mixed_cracks_tests_unit_elastic_system_h
 
 #include <assembly/auxiliary_matrices.h>
+#include <assembly/matrix_free_elastic.h>
 
 #include <deal.II/base/function_lib.h>
 #include <deal.II/distributed/tria.h>
@@ -45,6 +46,8 @@ namespace MixedCracks
       std::string  density         = "AT2";
       std::string  split           = "volumetric-deviatoric";
       std::string  law             = "relaxed bulk";
+      bool         with_matrix     = true;
+      bool         matrix_free     = false; ///< as a product
       /// of the pressure, hence the regime of the split
       std::function<double(double x)> pressure = [](double) { return 1.; };
     };
@@ -70,16 +73,20 @@ namespace MixedCracks
                                 options.split,
                                 options.law})
         , auxiliaries(fields, constraints)
+        , matrix_free(fields, constraints)
       {
         make_mesh();
         fields.distribute();
         constraints.reinit();
         assembler = std::make_unique<Assembler<dim>>(fields, material);
         assembler->reinit();
-        make_sparse_matrix(fields.elastic,
-                           fields.elastic_dofs,
-                           constraints.elastic_corrections(),
-                           matrix);
+        if (options.with_matrix)
+          make_sparse_matrix(fields.elastic,
+                             fields.elastic_dofs,
+                             constraints.elastic_corrections(),
+                             matrix);
+        if (options.matrix_free)
+          matrix_free.reinit();
         assemble();
       }
 
@@ -93,7 +100,10 @@ namespace MixedCracks
         const auto  &hanging = constraints.elastic_hanging_nodes();
         right_hand_side      = fields.owned_vector(fields.elastic_dofs);
         assembler->elastic_residual(stretched(), phi, hanging, right_hand_side);
-        assembler->elastic_matrix(constraints.elastic_corrections(), matrix);
+        if (options.with_matrix)
+          assembler->elastic_matrix(constraints.elastic_corrections(), matrix);
+        if (options.matrix_free)
+          matrix_free.update(*assembler);
         assembler->elastic_residual(lifted(), phi, hanging, right_hand_side);
         constraints.drop_prescribed(right_hand_side);
         right_hand_side *= -1.;
@@ -104,6 +114,7 @@ namespace MixedCracks
       {
         LinearSystem result;
         result.matrix       = &matrix;
+        result.product      = &matrix_free;
         result.symmetry     = assembler->elastic_matrix_is_symmetric()
                                 ? MatrixSymmetry::symmetric
                                 : MatrixSymmetry::none;
@@ -174,6 +185,7 @@ namespace MixedCracks
       const Material<dim>                               material;
       std::unique_ptr<Assembler<dim>>                   assembler;
       AssembledAuxiliaries<dim>                         auxiliaries;
+      MatrixFreeElastic<dim>                            matrix_free;
       LinearAlgebra::SparseMatrix                       matrix;
       Vector                                            right_hand_side;
 
