@@ -60,8 +60,8 @@ namespace MixedCracks
       }
     };
 
-    using Polynomial = dealii::
-      PreconditionChebyshev<Product, LinearAlgebra::Vector, Scaling>;
+    using Polynomial =
+      dealii::PreconditionChebyshev<Product, LinearAlgebra::Vector, Scaling>;
 
     double largest_eigenvalue() const;
 

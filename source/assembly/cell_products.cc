@@ -40,9 +40,10 @@ namespace MixedCracks
 
 
 
-#define INSTANTIATE(dim)                                                 \
-  template std::unique_ptr<CellProducts<dim>> make_cell_products(        \
-    const Mapping<dim> &, const DoFHandler<dim> &,                       \
+#define INSTANTIATE(dim)                                          \
+  template std::unique_ptr<CellProducts<dim>> make_cell_products( \
+    const Mapping<dim> &,                                         \
+    const DoFHandler<dim> &,                                      \
     const AffineConstraints<double> &);
   INSTANTIATE(2)
   INSTANTIATE(3)

@@ -59,9 +59,6 @@ namespace MixedCracks
 
   namespace
   {
-    // relative to the largest entry: rounding, and less than that counts
-    constexpr double negligible = 1e-13;
-
     // of C as a symmetric matrix
     template <int dim>
     constexpr unsigned int n_strains = dim *(dim + 1) / 2;
@@ -69,46 +66,8 @@ namespace MixedCracks
     // a, b or the triangle, then s, t, c
     constexpr unsigned int n_isotropic = 5;
     template <int dim>
-    constexpr unsigned int n_general =
-      n_strains<dim> *(n_strains<dim> + 1) / 2 + 3;
-
-
-
-    // C in the numbering of symmetric tensors
-    template <int dim>
-    double
-    entry_of(const SymmetricTensor<4, dim> &tangent,
-             const unsigned int             i,
-             const unsigned int             j)
-    {
-      const TableIndices<2>
-        row    = SymmetricTensor<2, dim>::unrolled_to_component_indices(i),
-        column = SymmetricTensor<2, dim>::unrolled_to_component_indices(j);
-      return tangent[row[0]][row[1]][column[0]][column[1]];
-    }
-
-
-
-    // a and b of C, taken from C_0101 = a/2 and C_0011 = b
-    template <int dim>
-    bool
-    is_isotropic(const SymmetricTensor<4, dim> &tangent, double &a, double &b)
-    {
-      a             = 2. * tangent[0][1][0][1];
-      b             = tangent[0][0][1][1];
-      double excess = 0., largest = 0.;
-      for (unsigned int i = 0; i < n_strains<dim>; ++i)
-        for (unsigned int j = 0; j <= i; ++j)
-        {
-          const double expected =
-            (i == j ? (i < dim ? a : 0.5 * a) : 0.) +
-            (i < dim && j < dim ? b : 0.);
-          const double entry = entry_of(tangent, i, j);
-          excess             = std::max(excess, std::abs(entry - expected));
-          largest            = std::max(largest, std::abs(entry));
-        }
-      return excess <= negligible * largest;
-    }
+    constexpr unsigned int
+      n_general = n_strains<dim> *(n_strains<dim> + 1) / 2 + 3;
 
 
 
@@ -120,7 +79,7 @@ namespace MixedCracks
       unsigned int                       at = 0;
       for (unsigned int i = 0; i < n_strains<dim>; ++i)
         for (unsigned int j = i; j < n_strains<dim>; ++j)
-          result[at++] = entry_of(response.stress_by_strain, i, j);
+          result[at++] = tangent_entry(response.stress_by_strain, i, j);
       result[at++] = response.stress_by_pressure;
       result[at++] = response.constraint_by_trace;
       result[at]   = response.constraint_by_pressure;
@@ -156,14 +115,16 @@ namespace MixedCracks
                    const std::vector<ElasticResponse<dim>> &responses) override
       {
         const auto [batch, lane] = places[cell];
-        double a, b;
-        bool   isotropic = true;
+        bool isotropic           = true;
         for (unsigned int q = 0; q < n_points; ++q)
         {
-          isotropic &= is_isotropic(responses[q].stress_by_strain, a, b);
-          Lanes *at = &isotropic_numbers[(batch * n_points + q) * n_isotropic];
-          at[0][lane] = a;
-          at[1][lane] = b;
+          const auto constants =
+            isotropic_tangent(responses[q].stress_by_strain);
+          isotropic &= constants.has_value();
+          Lanes *at   = &isotropic_numbers[(std::size_t(batch) * n_points + q) *
+                                         n_isotropic];
+          at[0][lane] = constants ? constants->identity : 0.;
+          at[1][lane] = constants ? constants->volume : 0.;
           at[2][lane] = responses[q].stress_by_pressure;
           at[3][lane] = responses[q].constraint_by_trace;
           at[4][lane] = responses[q].constraint_by_pressure;
@@ -184,9 +145,11 @@ namespace MixedCracks
       multiply(double *result, const double *source) const override
       {
         read(source);
-        free.cell_loop(
-          &MatrixFreeProducts::integrate, this, result_vector, source_vector,
-          true);
+        free.cell_loop(&MatrixFreeProducts::integrate,
+                       this,
+                       result_vector,
+                       source_vector,
+                       true);
         write(result);
       }
 
@@ -223,7 +186,8 @@ namespace MixedCracks
       std::size_t
       memory_consumption() const override
       {
-        return free.memory_consumption() + 2 * source_vector.memory_consumption() +
+        return free.memory_consumption() +
+               2 * source_vector.memory_consumption() +
                isotropic_numbers.memory_consumption() +
                general_numbers_of_batches.memory_consumption() +
                MemoryConsumption::memory_consumption(first_general);
@@ -255,17 +219,16 @@ namespace MixedCracks
             places[owned[free.get_cell_iterator(batch, lane)
                            ->active_cell_index()]] = {batch, lane};
         // what no cell fills is multiplied too: let it be harmless
-        isotropic_numbers.resize(
-          std::size_t(free.n_cell_batches()) * n_points * n_isotropic,
-          Lanes(0.));
+        isotropic_numbers.resize(std::size_t(free.n_cell_batches()) * n_points *
+                                   n_isotropic,
+                                 Lanes(0.));
         first_general.assign(free.n_cell_batches(), nowhere);
       }
 
       void
       reference_gradients(const FE_Q<dim> &element)
       {
-        const auto           lexicographic =
-          element.get_poly_space_numbering_inverse();
+        const auto lexicographic = element.get_poly_space_numbering_inverse();
         const QGauss<dim> quadrature(3);
         for (unsigned int q = 0; q < n_points; ++q)
           for (unsigned int a = 0; a < n_nodes; ++a)
@@ -291,15 +254,15 @@ namespace MixedCracks
 
       // C : eps
       static SymmetricTensor<2, dim, Lanes>
-      stress(const Lanes *triangle, const SymmetricTensor<2, dim, Lanes> &strain)
+      stress(const Lanes                          *triangle,
+             const SymmetricTensor<2, dim, Lanes> &strain)
       {
         // of a pair of shear strains the tensor has one, C : eps both
         std::array<Lanes, n_strains<dim>> weighted, sum;
         for (unsigned int i = 0; i < n_strains<dim>; ++i)
         {
-          weighted[i] =
-            (i < dim ? 1. : 2.) * strain.access_raw_entry(i);
-          sum[i] = 0.;
+          weighted[i] = (i < dim ? 1. : 2.) * strain.access_raw_entry(i);
+          sum[i]      = 0.;
         }
         for (unsigned int i = 0; i < n_strains<dim>; ++i)
         {
@@ -359,9 +322,9 @@ namespace MixedCracks
       Free free;
       /// batch and lane of owned cells
       std::vector<std::pair<unsigned int, unsigned int>> places;
-      AlignedVector<Lanes>               isotropic_numbers;
-      AlignedVector<Lanes>               general_numbers_of_batches;
-      std::vector<std::size_t>           first_general; // of a batch
+      AlignedVector<Lanes>                               isotropic_numbers;
+      AlignedVector<Lanes>                        general_numbers_of_batches;
+      std::vector<std::size_t>                    first_general; // of a batch
       std::map<unsigned int, std::vector<double>> pending; // until compress()
       /// of the shape functions, point by point, on the reference cell
       std::vector<Tensor<1, dim>> gradients;
@@ -434,14 +397,12 @@ namespace MixedCracks
         {
           const auto strain   = u.get_symmetric_gradient(q);
           const auto pressure = p.get_value(q);
-          auto       sigma    = triangle == nullptr
-                                  ? isotropic_stress(constants, strain)
-                                  : stress(triangle, strain);
+          auto sigma = triangle == nullptr ? isotropic_stress(constants, strain)
+                                           : stress(triangle, strain);
           for (unsigned int d = 0; d < dim; ++d)
             sigma[d][d] += constants[2] * pressure;
           u.submit_symmetric_gradient(sigma, q);
-          p.submit_value(constants[3] * trace(strain) +
-                           constants[4] * pressure,
+          p.submit_value(constants[3] * trace(strain) + constants[4] * pressure,
                          q);
           constants += n_isotropic;
           if (triangle != nullptr)
@@ -480,8 +441,8 @@ namespace MixedCracks
 
     template <int dim, int lanes>
     void
-    MatrixFreeProducts<dim, lanes>::integrate_diagonal(const Free   &free,
-                                                       Vector       &result,
+    MatrixFreeProducts<dim, lanes>::integrate_diagonal(const Free &free,
+                                                       Vector     &result,
                                                        const Vector &,
                                                        const Range &range) const
     {
@@ -494,7 +455,7 @@ namespace MixedCracks
         const Lanes *constants = isotropic(batch), *triangle = general(batch);
         for (unsigned int q = 0; q < n_points; ++q, constants += n_isotropic)
         {
-          const Lanes                 weight = u.JxW(q);
+          const Lanes                 weight  = u.JxW(q);
           const Tensor<2, dim, Lanes> inverse = u.inverse_jacobian(q);
           for (unsigned int a = 0; a < n_nodes; ++a)
           {
@@ -543,10 +504,11 @@ namespace MixedCracks
 
 
 
-#define INSTANTIATE(dim)                                                   \
-  template std::unique_ptr<CellProducts<dim>>                              \
-  make_cell_products_with_lanes<dim, MIXED_CRACKS_LANES>(                  \
-    const Mapping<dim> &, const DoFHandler<dim> &,                         \
+#define INSTANTIATE(dim)                                  \
+  template std::unique_ptr<CellProducts<dim>>             \
+  make_cell_products_with_lanes<dim, MIXED_CRACKS_LANES>( \
+    const Mapping<dim> &,                                 \
+    const DoFHandler<dim> &,                              \
     const AffineConstraints<double> &);
   INSTANTIATE(2)
   INSTANTIATE(3)

@@ -36,8 +36,7 @@ namespace MixedCracks
   {
     Epetra_Vector entries(matrix.trilinos_matrix().RowMap());
     matrix.trilinos_matrix().ExtractDiagonalCopy(entries);
-    std::copy(entries.Values(),
-              entries.Values() + entries.MyLength(),
-              result.begin());
+    std::copy(
+      entries.Values(), entries.Values() + entries.MyLength(), result.begin());
   }
 } // namespace MixedCracks

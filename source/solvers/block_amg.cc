@@ -47,8 +47,9 @@ namespace MixedCracks
   namespace
   {
     // directions FGMRES keeps before it starts anew
-    constexpr unsigned int restart       = 100;
-    const char *const      asked_to_stop = "block AMG was asked to stop";
+    constexpr unsigned int restart             = 100;
+    constexpr unsigned int matrix_free_restart = 50;
+    const char *const      asked_to_stop       = "block AMG was asked to stop";
     // a few iterations say nothing about a hierarchy
     constexpr unsigned int always_tolerated = 4;
 
@@ -127,7 +128,8 @@ namespace MixedCracks
         solver.mass_solver->vmult(pressures.data(), fluxes.data());
         for (double &pressure : pressures)
           pressure *= -1.;
-        solver.product().pressure_forces(displacements.data(), pressures.data());
+        solver.product().pressure_forces(displacements.data(),
+                                         pressures.data());
         for (std::size_t k = 0; k < forces.size(); ++k)
           forces[k] -= displacements[k];
       }
@@ -250,7 +252,15 @@ namespace MixedCracks
     const Preconditioner preconditioner(*this);
     try
     {
-      if (!uses_conjugate_gradients())
+      if (options.is_matrix_free)
+      {
+        // half of the vectors of FGMRES; the preconditioner is always the same
+        using Gmres = SolverGMRES<Vector>;
+        Gmres solver(control,
+                     typename Gmres::AdditionalData(matrix_free_restart, true));
+        solver.solve(matrix, solution, scaled, preconditioner);
+      }
+      else if (!uses_conjugate_gradients())
       {
         SolverFGMRES<Vector> solver(
           control, typename SolverFGMRES<Vector>::AdditionalData(restart));
@@ -345,7 +355,8 @@ namespace MixedCracks
   {
     return uses_conjugate_gradients()
              ? "conjugate gradients with smoothed aggregation"
-             : "FGMRES with smoothed aggregation";
+           : options.is_matrix_free ? "GMRES with matrix-free products"
+                                    : "FGMRES with smoothed aggregation";
   }
 
 

@@ -98,7 +98,7 @@ namespace MixedCracks
     for (std::size_t i = 0; i < chosen.size(); ++i)
       if (system.is_constrained[i])
         chosen[i] = false;
-    smoother      = 
+    smoother =
       std::make_unique<ChebyshevSmoother>(product(), row_scale, chosen);
     interpolation = extract_block(
       auxiliary.interpolation->trilinos_matrix(), is_displacement, coarse);

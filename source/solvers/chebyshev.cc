@@ -36,10 +36,9 @@ namespace MixedCracks
 
 
 
-  ChebyshevSmoother::ChebyshevSmoother(
-    const SaddlePointProduct &matrix,
-    const Vector             &like,
-    const std::vector<bool>  &chosen)
+  ChebyshevSmoother::ChebyshevSmoother(const SaddlePointProduct &matrix,
+                                       const Vector             &like,
+                                       const std::vector<bool>  &chosen)
     : chosen(chosen)
     , scaling(std::make_shared<Scaling>())
   {

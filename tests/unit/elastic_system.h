@@ -80,6 +80,14 @@ namespace MixedCracks
         constraints.reinit();
         assembler = std::make_unique<Assembler<dim>>(fields, material);
         assembler->reinit();
+        make_operator();
+        assemble();
+      }
+
+      /// Pattern of the matrix, or what products need to know of the mesh.
+      void
+      make_operator()
+      {
         if (options.with_matrix)
           make_sparse_matrix(fields.elastic,
                              fields.elastic_dofs,
@@ -87,7 +95,16 @@ namespace MixedCracks
                              matrix);
         if (options.matrix_free)
           matrix_free.reinit();
-        assemble();
+      }
+
+      /// For the state of the last residual.
+      void
+      update_operator()
+      {
+        if (options.with_matrix)
+          assembler->elastic_matrix(constraints.elastic_corrections(), matrix);
+        if (options.matrix_free)
+          matrix_free.update(*assembler);
       }
 
       /// The matrix where everything is stretched, for a phase field that is
@@ -100,10 +117,7 @@ namespace MixedCracks
         const auto  &hanging = constraints.elastic_hanging_nodes();
         right_hand_side      = fields.owned_vector(fields.elastic_dofs);
         assembler->elastic_residual(stretched(), phi, hanging, right_hand_side);
-        if (options.with_matrix)
-          assembler->elastic_matrix(constraints.elastic_corrections(), matrix);
-        if (options.matrix_free)
-          matrix_free.update(*assembler);
+        update_operator();
         assembler->elastic_residual(lifted(), phi, hanging, right_hand_side);
         constraints.drop_prescribed(right_hand_side);
         right_hand_side *= -1.;
@@ -151,10 +165,16 @@ namespace MixedCracks
       void
       assemble_auxiliaries()
       {
+        make_auxiliaries();
+        auxiliaries.assemble(*assembler);
+      }
+
+      void
+      make_auxiliaries()
+      {
         if (!auxiliaries_are_there)
           auxiliaries.reinit();
         auxiliaries_are_there = true;
-        auxiliaries.assemble(*assembler);
       }
 
       /// Distance to the broken part of the plane, mm.
@@ -178,7 +198,7 @@ namespace MixedCracks
         return result;
       }
 
-      const ElasticSystemOptions                        options;
+      ElasticSystemOptions                              options;
       dealii::parallel::distributed::Triangulation<dim> triangulation;
       Fields<dim>                                       fields;
       Constraints<dim>                                  constraints;

@@ -20,8 +20,8 @@ namespace
   Vector
   some_vector(const Vector &like, const int seed)
   {
-    Vector         result(like);
-    const auto     owned = like.locally_owned_elements();
+    Vector     result(like);
+    const auto owned = like.locally_owned_elements();
     for (const auto i : owned)
       result(i) = std::sin(1. + 3. * i + seed) + 0.3 * std::cos(0.01 * i);
     result.compress(dealii::VectorOperation::insert);
@@ -61,8 +61,8 @@ namespace
     const Vector        source = some_vector(expected, 2);
     for (std::size_t i = 0; i < described.is_pressure.size(); ++i)
       if (described.is_pressure[i])
-        pressures.push_back(described.is_constrained[i] ? 0. :
-                                                          source.begin()[i]);
+        pressures.push_back(described.is_constrained[i] ? 0.
+                                                        : source.begin()[i]);
     forces.resize(described.is_pressure.size() - pressures.size());
     expected_forces = forces;
     assembled.pressure_forces(expected_forces.data(), pressures.data());
