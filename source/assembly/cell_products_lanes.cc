@@ -1,21 +1,19 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Integrals over cells with the elastic tangent, by deal.II's MatrixFree. Of a
-// tangent at a point there is kept
+// Integrals over cells with the elastic tangent, by deal.II's MatrixFree. What
+// is kept of a tangent is said in lane_tangents.h; at a point
 //
-//   isotropic   C = a 1 + b I (x) I      a, b         whatever the degradation:
-//                                                     intact, or Amor's split
-//   general     the upper triangle of C as a symmetric matrix in the numbering
-//               of SymmetricTensor       6 in 2-d, 21 in 3-d
+//   small strain   sigma = C : eps + s p I,   constraint = t tr eps + c p,
+//   finite strain  P = A : H + K p,           constraint = K : H + c p,
 //
-// and the three numbers of the pressure, s, t and c (matrix_free_elastic.cc).
-// The cells of a batch, which are integrated together, are kept as general if
-// one of them is.
+// with H = grad u, A = dP/dH and K = dP/dp, are tested with eps(N) or grad N,
+// and with M.
 //
 // The diagonal: with e_i the unit vectors,
 //
 //   A_(ai,ai) = sum_q w_q  eps(N_a e_i) : C : eps(N_a e_i),
 //
-// a (|grad N_a|^2 + (d_i N_a)^2)/2 + b (d_i N_a)^2 where C is isotropic.
+// a (|grad N_a|^2 + (d_i N_a)^2)/2 + b (d_i N_a)^2 where C is isotropic, grad
+// N_a . A_(i.i.) . grad N_a at finite strain.
 
 // deal.II of most distributions is compiled for plain x86-64 and has one lane.
 // Its templates have more where this file is compiled for a processor that has
@@ -30,6 +28,7 @@
 #endif
 
 #include <assembly/cell_products.h>
+#include <assembly/lane_tangents.h>
 
 #include <deal.II/fe/fe_q.h>
 
@@ -50,8 +49,8 @@
 #endif
 
 #include <algorithm>
-#include <cmath>
-#include <map>
+#include <array>
+#include <type_traits>
 
 namespace MixedCracks
 {
@@ -59,31 +58,86 @@ namespace MixedCracks
 
   namespace
   {
-    // of C as a symmetric matrix
-    template <int dim>
-    constexpr unsigned int n_strains = dim *(dim + 1) / 2;
-
-    // a, b or the triangle, then s, t, c
-    constexpr unsigned int n_isotropic = 5;
-    template <int dim>
-    constexpr unsigned int
-      n_general = n_strains<dim> *(n_strains<dim> + 1) / 2 + 3;
-
-
-
-    template <int dim>
-    std::array<double, n_general<dim>>
-    general_numbers(const ElasticResponse<dim> &response)
+    // (i, j) -> C_(ij) sum over pairs i <= j: y_i += C_(ij) x_j and y_j +=
+    // C_(ij) x_i; returns what follows the triangle
+    template <std::size_t n, typename Lanes>
+    const Lanes *
+    multiply_triangle(const Lanes                *triangle,
+                      const std::array<Lanes, n> &x,
+                      std::array<Lanes, n>       &y)
     {
-      std::array<double, n_general<dim>> result;
-      unsigned int                       at = 0;
-      for (unsigned int i = 0; i < n_strains<dim>; ++i)
-        for (unsigned int j = i; j < n_strains<dim>; ++j)
-          result[at++] = tangent_entry(response.stress_by_strain, i, j);
-      result[at++] = response.stress_by_pressure;
-      result[at++] = response.constraint_by_trace;
-      result[at]   = response.constraint_by_pressure;
-      return result;
+      for (std::size_t i = 0; i < n; ++i)
+        y[i] = 0.;
+      for (std::size_t i = 0; i < n; ++i)
+      {
+        y[i] += *triangle++ * x[i];
+        for (std::size_t j = i + 1; j < n; ++j, ++triangle)
+        {
+          y[i] += *triangle * x[j];
+          y[j] += *triangle * x[i];
+        }
+      }
+      return triangle;
+    }
+
+
+
+    // Stress and constraint of grad u and p, with the numbers of a point.
+    template <TangentKind kind, int dim, typename Lanes>
+    void
+    respond(const Lanes                 *numbers,
+            const Tensor<2, dim, Lanes> &gradient,
+            const Lanes                 &pressure,
+            Tensor<2, dim, Lanes>       &stress,
+            Lanes                       &constraint)
+    {
+      if constexpr (kind == TangentKind::finite)
+      {
+        std::array<Lanes, dim * dim> in, out;
+        for (unsigned int i = 0; i < dim * dim; ++i)
+          in[i] = gradient[i / dim][i % dim];
+        numbers    = multiply_triangle(numbers, in, out);
+        constraint = numbers[dim * dim] * pressure;
+        for (unsigned int i = 0; i < dim * dim; ++i)
+        {
+          stress[i / dim][i % dim] = out[i] + numbers[i] * pressure;
+          constraint += numbers[i] * in[i];
+        }
+        return;
+      }
+      const Lanes volume = trace(gradient);
+      if constexpr (kind == TangentKind::symmetric)
+      {
+        // C : eps has both of a pair of shear strains
+        constexpr unsigned int n = dim * (dim + 1) / 2;
+        std::array<Lanes, n>   in, out;
+        for (unsigned int i = 0; i < n; ++i)
+        {
+          const auto at =
+            SymmetricTensor<2, dim>::unrolled_to_component_indices(i);
+          in[i] = i < dim ? gradient[i][i]
+                          : gradient[at[0]][at[1]] + gradient[at[1]][at[0]];
+        }
+        numbers = multiply_triangle(numbers, in, out);
+        for (unsigned int i = 0; i < n; ++i)
+        {
+          const auto at =
+            SymmetricTensor<2, dim>::unrolled_to_component_indices(i);
+          stress[at[0]][at[1]] = stress[at[1]][at[0]] = out[i];
+        }
+      }
+      else
+      {
+        for (unsigned int i = 0; i < dim; ++i)
+          for (unsigned int j = 0; j < dim; ++j)
+            stress[i][j] = 0.5 * numbers[0] * (gradient[i][j] + gradient[j][i]);
+        for (unsigned int i = 0; i < dim; ++i)
+          stress[i][i] += numbers[1] * volume;
+        numbers += 2;
+      }
+      for (unsigned int i = 0; i < dim; ++i)
+        stress[i][i] += numbers[0] * pressure;
+      constraint = numbers[1] * volume + numbers[2] * pressure;
     }
 
 
@@ -114,32 +168,14 @@ namespace MixedCracks
       set_tangents(const unsigned int                       cell,
                    const std::vector<ElasticResponse<dim>> &responses) override
       {
-        const auto [batch, lane] = places[cell];
-        bool isotropic           = true;
-        for (unsigned int q = 0; q < n_points; ++q)
-        {
-          const auto constants =
-            isotropic_tangent(responses[q].stress_by_strain);
-          isotropic &= constants.has_value();
-          Lanes *at   = &isotropic_numbers[(std::size_t(batch) * n_points + q) *
-                                         n_isotropic];
-          at[0][lane] = constants ? constants->identity : 0.;
-          at[1][lane] = constants ? constants->volume : 0.;
-          at[2][lane] = responses[q].stress_by_pressure;
-          at[3][lane] = responses[q].constraint_by_trace;
-          at[4][lane] = responses[q].constraint_by_pressure;
-        }
-        if (isotropic)
-          return;
-        auto &numbers = pending[cell];
-        for (const ElasticResponse<dim> &response : responses)
-        {
-          const auto point = general_numbers(response);
-          numbers.insert(numbers.end(), point.begin(), point.end());
-        }
+        tangents.set(cell, responses);
       }
 
-      void compress() override;
+      void
+      compress() override
+      {
+        tangents.compress();
+      }
 
       void
       multiply(double *result, const double *source) const override
@@ -188,9 +224,7 @@ namespace MixedCracks
       {
         return free.memory_consumption() +
                2 * source_vector.memory_consumption() +
-               isotropic_numbers.memory_consumption() +
-               general_numbers_of_batches.memory_consumption() +
-               MemoryConsumption::memory_consumption(first_general);
+               tangents.memory_consumption();
       }
 
     private:
@@ -200,7 +234,6 @@ namespace MixedCracks
 
       static constexpr unsigned int n_points = Utilities::pow(3, dim);
       static constexpr unsigned int n_nodes  = Utilities::pow(3, dim);
-      static constexpr std::size_t  nowhere  = -1;
 
       void
       number_cells(const DoFHandler<dim> &handler)
@@ -211,18 +244,14 @@ namespace MixedCracks
         for (const auto &cell : handler.active_cell_iterators())
           if (cell->is_locally_owned())
             owned[cell->active_cell_index()] = n_owned++;
-        places.resize(n_owned);
+        std::vector<typename LaneTangents<dim, Lanes>::Place> places(n_owned);
         for (unsigned int batch = 0; batch < free.n_cell_batches(); ++batch)
           for (unsigned int lane = 0;
                lane < free.n_active_entries_per_cell_batch(batch);
                ++lane)
             places[owned[free.get_cell_iterator(batch, lane)
                            ->active_cell_index()]] = {batch, lane};
-        // what no cell fills is multiplied too: let it be harmless
-        isotropic_numbers.resize(std::size_t(free.n_cell_batches()) * n_points *
-                                   n_isotropic,
-                                 Lanes(0.));
-        first_general.assign(free.n_cell_batches(), nowhere);
+        tangents.reinit(free.n_cell_batches(), n_points, places);
       }
 
       void
@@ -252,44 +281,6 @@ namespace MixedCracks
                   result);
       }
 
-      // C : eps
-      static SymmetricTensor<2, dim, Lanes>
-      stress(const Lanes                          *triangle,
-             const SymmetricTensor<2, dim, Lanes> &strain)
-      {
-        // of a pair of shear strains the tensor has one, C : eps both
-        std::array<Lanes, n_strains<dim>> weighted, sum;
-        for (unsigned int i = 0; i < n_strains<dim>; ++i)
-        {
-          weighted[i] = (i < dim ? 1. : 2.) * strain.access_raw_entry(i);
-          sum[i]      = 0.;
-        }
-        for (unsigned int i = 0; i < n_strains<dim>; ++i)
-        {
-          sum[i] += *triangle++ * weighted[i];
-          for (unsigned int j = i + 1; j < n_strains<dim>; ++j, ++triangle)
-          {
-            sum[i] += *triangle * weighted[j];
-            sum[j] += *triangle * weighted[i];
-          }
-        }
-        SymmetricTensor<2, dim, Lanes> result;
-        for (unsigned int i = 0; i < n_strains<dim>; ++i)
-          result.access_raw_entry(i) = sum[i];
-        return result;
-      }
-
-      static SymmetricTensor<2, dim, Lanes>
-      isotropic_stress(const Lanes                          *numbers,
-                       const SymmetricTensor<2, dim, Lanes> &strain)
-      {
-        SymmetricTensor<2, dim, Lanes> result = numbers[0] * strain;
-        const Lanes                    volume = numbers[1] * trace(strain);
-        for (unsigned int d = 0; d < dim; ++d)
-          result[d][d] += volume;
-        return result;
-      }
-
       void integrate(const Free   &free,
                      Vector       &result,
                      const Vector &source,
@@ -305,27 +296,38 @@ namespace MixedCracks
                               const Vector &source,
                               const Range  &range) const;
 
-      const Lanes *
-      isotropic(const unsigned int batch) const
+      template <TangentKind kind>
+      void
+      respond_at_points(unsigned int batch, Displacement &u, Pressure &p) const;
+
+      /// Of shape function a at point q, the weight of the point included.
+      template <TangentKind kind>
+      void add_to_diagonal(const Lanes                 *numbers,
+                           const Lanes                 &weight,
+                           const Tensor<1, dim, Lanes> &gradient,
+                           Lanes                       *sums) const;
+
+      /// Call body with the kind of a batch as a constant.
+      template <typename Body>
+      void
+      by_kind(const unsigned int batch, const Body &body) const
       {
-        return &isotropic_numbers[std::size_t(batch) * n_points * n_isotropic];
+        using Isotropic =
+          std::integral_constant<TangentKind, TangentKind::isotropic>;
+        using Symmetric =
+          std::integral_constant<TangentKind, TangentKind::symmetric>;
+        using Finite = std::integral_constant<TangentKind, TangentKind::finite>;
+        const TangentKind kind = tangents.kind(batch);
+        if (kind == TangentKind::isotropic)
+          body(Isotropic());
+        else if (kind == TangentKind::symmetric)
+          body(Symmetric());
+        else
+          body(Finite());
       }
 
-      const Lanes *
-      general(const unsigned int batch) const
-      {
-        return first_general[batch] == nowhere
-                 ? nullptr
-                 : &general_numbers_of_batches[first_general[batch]];
-      }
-
-      Free free;
-      /// batch and lane of owned cells
-      std::vector<std::pair<unsigned int, unsigned int>> places;
-      AlignedVector<Lanes>                               isotropic_numbers;
-      AlignedVector<Lanes>                        general_numbers_of_batches;
-      std::vector<std::size_t>                    first_general; // of a batch
-      std::map<unsigned int, std::vector<double>> pending; // until compress()
+      Free                     free;
+      LaneTangents<dim, Lanes> tangents;
       /// of the shape functions, point by point, on the reference cell
       std::vector<Tensor<1, dim>> gradients;
       mutable Vector              source_vector, result_vector;
@@ -334,45 +336,23 @@ namespace MixedCracks
 
 
     template <int dim, int lanes>
+    template <TangentKind kind>
     void
-    MatrixFreeProducts<dim, lanes>::compress()
+    MatrixFreeProducts<dim, lanes>::respond_at_points(const unsigned int batch,
+                                                      Displacement      &u,
+                                                      Pressure &p) const
     {
-      std::fill(first_general.begin(), first_general.end(), nowhere);
-      constexpr std::size_t size      = n_points * n_general<dim>;
-      std::size_t           n_batches = 0;
-      for (const auto &entry : pending)
+      const Lanes *numbers = tangents.numbers(batch);
+      for (unsigned int q = 0; q < n_points; ++q)
       {
-        std::size_t &first = first_general[places[entry.first].first];
-        if (first == nowhere)
-          first = size * n_batches++;
+        Tensor<2, dim, Lanes> stress;
+        Lanes                 constraint;
+        respond<kind>(
+          numbers, u.get_gradient(q), p.get_value(q), stress, constraint);
+        u.submit_gradient(stress, q);
+        p.submit_value(constraint, q);
+        numbers += LaneTangents<dim, Lanes>::n_numbers(kind);
       }
-      general_numbers_of_batches.clear();
-      general_numbers_of_batches.resize(size * n_batches, Lanes(0.));
-      for (unsigned int cell = 0; cell < places.size() && n_batches > 0; ++cell)
-      {
-        const auto [batch, lane] = places[cell];
-        if (first_general[batch] == nowhere)
-          continue;
-        Lanes *to = &general_numbers_of_batches[first_general[batch]];
-        if (const auto found = pending.find(cell); found != pending.end())
-        {
-          for (const double number : found->second)
-            (to++)[0][lane] = number;
-          continue;
-        }
-        const Lanes *from = isotropic(batch);
-        for (unsigned int q = 0; q < n_points; ++q, from += n_isotropic)
-        {
-          for (unsigned int i = 0; i < n_strains<dim>; ++i)
-            for (unsigned int j = i; j < n_strains<dim>; ++j)
-              (to++)[0][lane] =
-                (i == j ? (i < dim ? 1. : 0.5) * from[0][lane] : 0.) +
-                (j < dim ? from[1][lane] : 0.);
-          for (unsigned int k = 2; k < n_isotropic; ++k)
-            (to++)[0][lane] = from[k][lane];
-        }
-      }
-      pending.clear();
     }
 
 
@@ -392,22 +372,8 @@ namespace MixedCracks
         p.reinit(batch);
         u.gather_evaluate(source, EvaluationFlags::gradients);
         p.gather_evaluate(source, EvaluationFlags::values);
-        const Lanes *constants = isotropic(batch), *triangle = general(batch);
-        for (unsigned int q = 0; q < n_points; ++q)
-        {
-          const auto strain   = u.get_symmetric_gradient(q);
-          const auto pressure = p.get_value(q);
-          auto sigma = triangle == nullptr ? isotropic_stress(constants, strain)
-                                           : stress(triangle, strain);
-          for (unsigned int d = 0; d < dim; ++d)
-            sigma[d][d] += constants[2] * pressure;
-          u.submit_symmetric_gradient(sigma, q);
-          p.submit_value(constants[3] * trace(strain) + constants[4] * pressure,
-                         q);
-          constants += n_isotropic;
-          if (triangle != nullptr)
-            triangle += n_general<dim>;
-        }
+        by_kind(batch,
+                [&](const auto kind) { respond_at_points<kind>(batch, u, p); });
         u.integrate_scatter(EvaluationFlags::gradients, result);
         p.integrate_scatter(EvaluationFlags::values, result);
       }
@@ -430,10 +396,56 @@ namespace MixedCracks
         u.reinit(batch);
         p.reinit(batch);
         p.gather_evaluate(source, EvaluationFlags::values);
-        const Lanes *constants = isotropic(batch);
-        for (unsigned int q = 0; q < n_points; ++q, constants += n_isotropic)
-          u.submit_divergence(constants[2] * p.get_value(q), q);
+        by_kind(batch, [&](const auto kind) {
+          const Lanes *numbers = tangents.numbers(batch);
+          for (unsigned int q = 0; q < n_points; ++q)
+          {
+            constexpr unsigned int n =
+              LaneTangents<dim, Lanes>::n_numbers(kind);
+            if constexpr (kind == TangentKind::finite)
+            {
+              const Lanes          *coupling = numbers + n - dim * dim - 1;
+              Tensor<2, dim, Lanes> stress;
+              for (unsigned int i = 0; i < dim * dim; ++i)
+                stress[i / dim][i % dim] = coupling[i] * p.get_value(q);
+              u.submit_gradient(stress, q);
+            }
+            else
+              u.submit_divergence(numbers[n - 3] * p.get_value(q), q);
+            numbers += n;
+          }
+        });
         u.integrate_scatter(EvaluationFlags::gradients, result);
+      }
+    }
+
+
+
+    template <int dim, int lanes>
+    template <TangentKind kind>
+    void
+    MatrixFreeProducts<dim, lanes>::add_to_diagonal(
+      const Lanes                 *numbers,
+      const Lanes                 &weight,
+      const Tensor<1, dim, Lanes> &gradient,
+      Lanes                       *sums) const
+    {
+      if constexpr (kind == TangentKind::isotropic)
+      {
+        const Lanes half = 0.5 * weight * numbers[0];
+        const Lanes both = half * gradient.norm_square();
+        const Lanes own  = half + weight * numbers[1];
+        for (unsigned int d = 0; d < dim; ++d)
+          sums[d * n_nodes] += both + own * (gradient[d] * gradient[d]);
+        return;
+      }
+      for (unsigned int d = 0; d < dim; ++d)
+      {
+        Tensor<2, dim, Lanes> unit, stress;
+        Lanes                 constraint;
+        unit[d] = gradient;
+        respond<kind>(numbers, unit, Lanes(0.), stress, constraint);
+        sums[d * n_nodes] += weight * (stress[d] * gradient);
       }
     }
 
@@ -452,39 +464,22 @@ namespace MixedCracks
         u.reinit(batch);
         Lanes *sums = u.begin_dof_values();
         std::fill(sums, sums + dim * n_nodes, Lanes(0.));
-        const Lanes *constants = isotropic(batch), *triangle = general(batch);
-        for (unsigned int q = 0; q < n_points; ++q, constants += n_isotropic)
-        {
-          const Lanes                 weight  = u.JxW(q);
-          const Tensor<2, dim, Lanes> inverse = u.inverse_jacobian(q);
-          for (unsigned int a = 0; a < n_nodes; ++a)
+        by_kind(batch, [&](const auto kind) {
+          const Lanes *numbers = tangents.numbers(batch);
+          for (unsigned int q = 0; q < n_points; ++q)
           {
-            Tensor<1, dim, Lanes> gradient;
-            for (unsigned int d = 0; d < dim; ++d)
-              for (unsigned int e = 0; e < dim; ++e)
-                gradient[d] += inverse[d][e] * gradients[q * n_nodes + a][e];
-            if (triangle == nullptr)
+            const Tensor<2, dim, Lanes> inverse = u.inverse_jacobian(q);
+            for (unsigned int a = 0; a < n_nodes; ++a)
             {
-              const Lanes half = 0.5 * weight * constants[0];
-              const Lanes both = half * gradient.norm_square();
-              const Lanes own  = half + weight * constants[1];
+              Tensor<1, dim, Lanes> gradient;
               for (unsigned int d = 0; d < dim; ++d)
-                sums[d * n_nodes + a] +=
-                  both + own * (gradient[d] * gradient[d]);
-              continue;
+                for (unsigned int e = 0; e < dim; ++e)
+                  gradient[d] += inverse[d][e] * gradients[q * n_nodes + a][e];
+              add_to_diagonal<kind>(numbers, u.JxW(q), gradient, sums + a);
             }
-            for (unsigned int d = 0; d < dim; ++d)
-            {
-              SymmetricTensor<2, dim, Lanes> strain;
-              for (unsigned int e = 0; e < dim; ++e)
-                strain[d][e] = (d == e ? 1. : 0.5) * gradient[e];
-              sums[d * n_nodes + a] +=
-                weight * (strain * stress(triangle, strain));
-            }
+            numbers += LaneTangents<dim, Lanes>::n_numbers(kind);
           }
-          if (triangle != nullptr)
-            triangle += n_general<dim>;
-        }
+        });
         u.distribute_local_to_global(result);
       }
     }

@@ -46,6 +46,7 @@ namespace MixedCracks
       std::string  density         = "AT2";
       std::string  split           = "volumetric-deviatoric";
       std::string  law             = "relaxed bulk";
+      Strains      strains         = Strains::small;
       bool         with_matrix     = true;
       bool         matrix_free     = false; ///< as a product
       /// of the pressure, hence the regime of the split
@@ -71,7 +72,9 @@ namespace MixedCracks
                                 dim,
                                 options.density,
                                 options.split,
-                                options.law})
+                                options.law,
+                                "quadratic",
+                                options.strains})
         , auxiliaries(fields, constraints)
         , matrix_free(fields, constraints)
       {

@@ -130,6 +130,26 @@ TEST(MatrixFree, IsTheMatrixOfEverySplitAndLaw)
 
 
 
+TEST(MatrixFree, IsTheMatrixAtFiniteStrain)
+{
+  for (const std::string &split : all_finite_splits().names())
+    for (const std::string &law : all_finite_pressure_laws().names())
+    {
+      SCOPED_TRACE(split + ", " + law);
+      ElasticSystemOptions options;
+      options.refinements     = 1;
+      options.adaptive_levels = 1;
+      options.split           = split;
+      options.law             = law;
+      options.strains         = Strains::finite;
+      options.kappa           = 1e-3;
+      expect_products_of_matrix<2>(options);
+      expect_products_of_matrix<3>(options);
+    }
+}
+
+
+
 TEST(MatrixFree, SolvesWhatTheDirectSolverSolves)
 {
   for (const unsigned int adaptive_levels : {0, 1})
