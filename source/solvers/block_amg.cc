@@ -48,7 +48,7 @@ namespace MixedCracks
   {
     // directions FGMRES keeps before it starts anew
     constexpr unsigned int restart             = 100;
-    constexpr unsigned int matrix_free_restart = 50;
+    constexpr unsigned int matrix_free_restart = 32;
     const char *const      asked_to_stop       = "block AMG was asked to stop";
     // a few iterations say nothing about a hierarchy
     constexpr unsigned int always_tolerated = 4;
