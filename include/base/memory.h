@@ -9,6 +9,9 @@ namespace MixedCracks
   /// then needs a quarter more than it uses. Does nothing where the library
   /// cannot be told. To be called first in main().
   void return_large_blocks();
+
+  /// Have what is free go back to the system now, small blocks too.
+  void return_free_memory();
 } // namespace MixedCracks
 
 #endif

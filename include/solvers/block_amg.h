@@ -97,8 +97,8 @@ namespace MixedCracks
     bool                       has_pressure = false; // on any rank
     std::vector<bool>          is_displacement;
     std::unique_ptr<Multigrid> multigrid;
-    /// from coarse displacements to all; empty where multigrid works on A
-    std::unique_ptr<Epetra_CrsMatrix>  interpolation;
+    /// from coarse displacements to all; null where multigrid works on A
+    const Epetra_CrsMatrix            *interpolation = nullptr;
     std::unique_ptr<ChebyshevSmoother> smoother;
     std::unique_ptr<MassSolver>        mass_solver;
     /// of LinearSystem::matrix, if there is one

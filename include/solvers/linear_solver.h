@@ -30,17 +30,19 @@ namespace MixedCracks
   };
 
   /// Matrices that are near to parts of the one to be solved with, or to its
-  /// Schur complement, and easier. In the numbering of the whole; rows of
-  /// other unknowns are empty.
+  /// Schur complement, and easier.
   struct AuxiliaryMatrices
   {
-    /// of a subspace of the displacements; nullptr: the matrix itself serves
+    /// of a subspace of the displacements, which has numbers of its own;
+    /// nullptr: the matrix itself serves
     const LinearAlgebra::SparseMatrix *displacement = nullptr;
-    /// from the unknowns of that subspace to all displacements
-    const LinearAlgebra::SparseMatrix *interpolation = nullptr;
-    /// one entry per owned row: whether it is an unknown of the subspace
+    /// from the unknowns of that subspace to all; other rows are empty
+    const Epetra_CrsMatrix *interpolation = nullptr;
+    /// one entry per owned row of the whole: whether it is an unknown of the
+    /// subspace; in their order
     const std::vector<bool> *is_coarse = nullptr;
-    /// positive definite; nullptr where there is no pressure
+    /// in the numbering of the whole, rows of displacements empty; positive
+    /// definite; nullptr where there is no pressure
     const LinearAlgebra::SparseMatrix *pressure = nullptr;
   };
 

@@ -232,8 +232,8 @@ namespace MixedCracks
   void
   AssembledAuxiliaries<dim>::reinit()
   {
-    const DofSets &dofs      = fields.elastic_dofs;
-    const auto     make_zero = [&](const std::vector<Indices>      &cells,
+    const auto make_zero = [&](const DofSets                   &dofs,
+                               const std::vector<Indices>      &cells,
                                const AffineConstraints<double> &among,
                                LinearAlgebra::SparseMatrix     &matrix) {
       LinearAlgebra::SparsityPattern pattern(
@@ -247,11 +247,15 @@ namespace MixedCracks
       linear_displacements.reinit(fields, constraints);
     read_cells();
     if (has_displacement())
-      make_zero(
-        vertex_dofs, linear_displacements.constraints(), displacement_matrix);
+      make_zero(linear_displacements.dofs(),
+                vertex_dofs,
+                linear_displacements.constraints(),
+                displacement_matrix);
     if (fields.layout.mixed)
-      make_zero(
-        pressure_dofs, constraints.elastic_corrections(), pressure_matrix);
+      make_zero(fields.elastic_dofs,
+                pressure_dofs,
+                constraints.elastic_corrections(),
+                pressure_matrix);
   }
 
 

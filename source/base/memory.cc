@@ -17,4 +17,14 @@ namespace MixedCracks
     mallopt(M_MMAP_THRESHOLD, 8 << 20);
 #endif
   }
+
+
+
+  void
+  return_free_memory()
+  {
+#ifdef __GLIBC__
+    malloc_trim(0);
+#endif
+  }
 } // namespace MixedCracks

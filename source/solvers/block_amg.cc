@@ -137,15 +137,19 @@ namespace MixedCracks
       {
         coarse_forces.resize(solver.interpolation->DomainMap().NumMyElements());
         coarse_displacements.resize(coarse_forces.size());
+        spread(forces, solver.is_displacement, whole);
         multiply(*solver.interpolation,
                  coarse_forces.data(),
-                 forces.data(),
+                 whole.data(),
                  /*transposed=*/true);
         solver.multigrid->vmult(coarse_displacements.data(),
                                 coarse_forces.data());
-        multiply(*solver.interpolation,
-                 displacements.data(),
-                 coarse_displacements.data());
+        multiply(
+          *solver.interpolation, whole.data(), coarse_displacements.data());
+        displacements.clear();
+        for (std::size_t i = 0; i < whole.size(); ++i)
+          if (solver.is_displacement[i])
+            displacements.push_back(whole[i]);
       }
       else
         solver.multigrid->vmult(displacements.data(), forces.data());
@@ -170,6 +174,18 @@ namespace MixedCracks
                                                          : r[i] / scale[i]);
     }
 
+    // part -> chosen rows, 0 elsewhere
+    static void
+    spread(const std::vector<double> &part,
+           const std::vector<bool>   &chosen,
+           std::vector<double>       &whole)
+    {
+      whole.assign(chosen.size(), 0.);
+      for (std::size_t i = 0, next = 0; i < chosen.size(); ++i)
+        if (chosen[i])
+          whole[i] = part[next++];
+    }
+
     void
     put_together(const Vector &source, Vector &result) const
     {
@@ -189,7 +205,7 @@ namespace MixedCracks
 
     const BlockAmgSolver       &solver;
     mutable std::vector<double> forces, fluxes, displacements, pressures;
-    mutable std::vector<double> coarse_forces, coarse_displacements;
+    mutable std::vector<double> whole, coarse_forces, coarse_displacements;
   };
 
 

@@ -11,7 +11,11 @@
 // between the vertices, modes that the coarse space lacks and whose eigenvalues
 // are among the upper ones. Linear displacements need 1 only, with P = 1.
 
+#include <base/memory.h>
+
 #include <deal.II/base/mpi.h>
+
+#include <deal.II/lac/vector_memory.h>
 
 #include <solvers/block_amg.h>
 
@@ -63,10 +67,16 @@ namespace MixedCracks
   BlockAmgSolver::drop_hierarchy()
   {
     multigrid.reset();
-    interpolation.reset();
+    interpolation = nullptr;
     smoother.reset();
     mass_solver.reset();
     assembled.reset();
+    if (options.is_matrix_free)
+    {
+      // the next hierarchy would be added to what this one leaves
+      GrowingVectorMemory<Vector>::release_unused_memory();
+      return_free_memory();
+    }
   }
 
 
@@ -100,8 +110,7 @@ namespace MixedCracks
         chosen[i] = false;
     smoother =
       std::make_unique<ChebyshevSmoother>(product(), row_scale, chosen);
-    interpolation = extract_block(
-      auxiliary.interpolation->trilinos_matrix(), is_displacement, coarse);
+    interpolation = auxiliary.interpolation;
     for (std::vector<double> &mode : modes)
     {
       std::size_t next = 0, next_coarse = 0;
@@ -114,10 +123,11 @@ namespace MixedCracks
         }
       mode.resize(next_coarse);
     }
+    // it stays until the next set-up has dropped the hierarchy
+    const std::shared_ptr<const Epetra_CrsMatrix> matrix(
+      std::shared_ptr<void>(), &auxiliary.displacement->trilinos_matrix());
     multigrid = std::make_unique<Multigrid>(
-      extract_block(auxiliary.displacement->trilinos_matrix(), coarse, coarse),
-      on_the_coarse_level(system.n_components),
-      modes);
+      matrix, on_the_coarse_level(system.n_components), modes);
   }
 
 
