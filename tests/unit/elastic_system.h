@@ -119,9 +119,11 @@ namespace MixedCracks
         const Vector phi     = phase_field(broken_value);
         const auto  &hanging = constraints.elastic_hanging_nodes();
         right_hand_side      = fields.owned_vector(fields.elastic_dofs);
-        assembler->elastic_residual(stretched(), phi, hanging, right_hand_side);
-        update_operator();
         assembler->elastic_residual(lifted(), phi, hanging, right_hand_side);
+        // of the state that the tangents are asked for last
+        Vector residual(right_hand_side);
+        assembler->elastic_residual(stretched(), phi, hanging, residual);
+        update_operator();
         constraints.drop_prescribed(right_hand_side);
         right_hand_side *= -1.;
       }
