@@ -32,6 +32,7 @@ namespace MixedCracks
   trace_in_space(const Fields<3> &fields,
                  const std::map<dealii::types::boundary_id, std::string> &names,
                  double       length_scale, // l, mm
+                 double       front_lag,    // see CrackObserver::reinit()
                  const State &state);
 
   /// Looks at states of a run for cracks: where they start, their paths or
@@ -45,8 +46,11 @@ namespace MixedCracks
     CrackObserver(const Fields<dim>                                &fields,
                   std::map<dealii::types::boundary_id, std::string> names);
 
-    /// To be called when the mesh changed. @p length_scale: l, mm.
-    void reinit(double length_scale);
+    /// To be called when the mesh changed. @p length_scale: l, mm. @p
+    /// front_lag, in l: how far a front in space lies behind the place where
+    /// the phase field is 0.5, which its optimal profile says; unless given the
+    /// mean of the densities, as for tips in the plane.
+    void reinit(double length_scale, double front_lag = 0.6);
 
     /// Of a state in which slits and initial cracks have their profile. States
     /// without these origins are not looked at, and have no cracks.
@@ -72,7 +76,7 @@ namespace MixedCracks
 
     const Fields<dim>                                &fields;
     std::map<dealii::types::boundary_id, std::string> names;
-    double                                            length_scale = 0.;
+    double length_scale = 0., front_lag = 0.6;
 
     std::vector<dealii::Point<3>> positions; // of owned nodes
     std::vector<BoundaryEdge>     edges;     // of the mesh, on rank 0

@@ -62,10 +62,14 @@ namespace MixedCracks
     double broken = 0.3;
     /// sheets end where the phase field on them passes this ...
     double connected = 0.5;
-    /// ... less this (in l), as the front lies behind
+    /// ... less this (in l), as the front lies behind: 0.52 with the profile of
+    /// Wu's density, 0.59 with AT1's, 0.69 with AT2's
     double tip_lag = 0.6;
-    /// cracks have an area of more than this (in l^2)
-    double smallest = 4.;
+    /// cracks have an area of more than this (in l^2) ...
+    double smallest = 1.;
+    /// ... and of more than this (in l) times the length of their fronts: at
+    /// the tip of a notch, whose own profile is none, a sheet may begin
+    double narrowest = 0.5;
     /// where damage was seen first, and what was broken from the start, mm
     std::vector<dealii::Point<3>> nuclei, initial;
     /// of boundaries, by their ids; the others are "boundary"

@@ -35,10 +35,10 @@ namespace MixedCracks
     double cell_size = 0.;
   };
 
-  /// Where damage 1 - phi, smoothed over l/2, is largest across the band: the
-  /// height ridge of Eberly, Ridges in Image and Data Analysis (Kluwer, 1996).
-  /// With the damage w, its gradient g, and the eigenvector n of the smallest
-  /// eigenvalue of its second derivatives,
+  /// Where damage 1 - phi, smoothed over 0.35 l, is largest across the band:
+  /// the height ridge of Eberly, Ridges in Image and Data Analysis (Kluwer,
+  /// 1996). With the damage w, its gradient g, and the eigenvector n of the
+  /// smallest eigenvalue of its second derivatives,
   ///
   ///   g . n = 0,   n . grad(grad w) n < 0.
   ///

@@ -18,12 +18,14 @@ namespace MixedCracks
     std::set<dealii::types::boundary_id> boundaries;  ///< that it comes to
   };
 
-  /// What is left of the body: nodes whose phase field is at least @p broken
-  /// hang together when they belong to one cell. The largest part first; the
-  /// same on all ranks. @p phase_field with ghosts. Collective.
+  /// What is left of the body: nodes whose phase field is at least @p connected
+  /// hang together when they belong to one cell. (Cells of l/2 across a crack
+  /// at any angle have nodes below that on one side of it at least.) The
+  /// largest part first; the same on all ranks. @p phase_field with ghosts.
+  /// Collective.
   std::vector<IntactPart> intact_parts(const Fields<3>             &fields,
                                        const LinearAlgebra::Vector &phase_field,
-                                       double broken = 0.3);
+                                       double connected = 0.5);
 } // namespace MixedCracks
 
 #endif

@@ -71,9 +71,10 @@ namespace MixedCracks
 
   template <int dim>
   void
-  CrackObserver<dim>::reinit(const double length)
+  CrackObserver<dim>::reinit(const double length, const double lag)
   {
     length_scale          = length;
+    front_lag             = lag;
     const IndexSet &owned = fields.phase_field_dofs.owned;
     positions.assign(owned.n_elements(), Point<3>());
     for (const auto &cell : fields.phase_field.active_cell_iterators())
@@ -215,7 +216,7 @@ namespace MixedCracks
     if (!state.damage_origins.is_watched())
       return traced;
     if constexpr (dim == 3)
-      return trace_in_space(fields, names, length_scale, state);
+      return trace_in_space(fields, names, length_scale, front_lag, state);
     const MPI_Comm                 communicator = fields.communicator();
     const std::vector<DamagedCell> cells = damaged_cells(state.phase_field);
     if (Utilities::MPI::this_mpi_process(communicator) == 0)

@@ -55,6 +55,7 @@ namespace MixedCracks
   trace_in_space(const Fields<3>     &fields,
                  const BoundaryNames &names,
                  const double         length_scale,
+                 const double         front_lag,
                  const State         &state)
   {
     TracedCracks      traced;
@@ -66,6 +67,7 @@ namespace MixedCracks
       intact_parts(fields, state.phase_field), names, length_scale);
     CrackSheetOptions options;
     options.length_scale   = length_scale;
+    options.tip_lag        = front_lag;
     options.cell_size      = ridge.cell_size;
     options.nuclei         = state.damage_origins.nuclei;
     options.initial        = state.damage_origins.initial;

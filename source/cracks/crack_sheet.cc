@@ -6,21 +6,20 @@
 //                                                             sheet_mesh.cc
 //   2. contour   without what has phi > 0.5 [connected], and parts without
 //                phi < 0.3 [broken]: its new sides C
-//   3. front     without what is nearer to C than 0.6 l [tip_lag]; the new
-//   sides
-//                are the front                          crack_sheet_front.cc
+//   3. front     without what is nearer to C than [tip_lag]; its new sides are
+//                the front                              crack_sheet_front.cc
 //   4. parts     within 1.5 h of each other are one crack, if their area is
-//                larger than 4 l^2 [smallest]
+//                larger than l^2 [smallest] and than l/2 [narrowest] times the
+//                length of the fronts
 //   5. origin    the boundary within 3 l of the first nucleus within 3 l; of an
 //                initial crack, which has its nucleus at the front where it
 //                begins to grow, the boundary among those it meets whose sides
 //                are farthest from there, in the mean
 //
-// 2 and 3 are what crack_path.cc does at a tip in the plane: optimal profiles
-// have phi = 0.5 at 0.52 l (Wu), 0.59 l (AT1), 0.69 l (AT2) ahead. There is no
-// C, and the sheet is whole, where phi < 0.5 up to the boundary: a front 0.6 l
-// from it has reached it. Distances are straight, a front is bent little on
-// that way.
+// 2 and 3 are what crack_path.cc does at a tip in the plane, with the distance
+// of phi = 0.5 from a crack that the optimal profile has. There is no C, and
+// the sheet is whole, where phi < 0.5 up to the boundary: a front that near has
+// reached it. Distances are straight, a sheet is bent little on that way.
 
 #include <cracks/crack_path.h>
 #include <cracks/crack_sheet.h>
@@ -318,7 +317,9 @@ namespace MixedCracks
         if (length > 0.5 * h)
           sheet.boundaries.push_back(name);
       sheet.fronts = fronts_of(mesh, open, set, options);
-      sheet.start  = start_of(sheet, sides, options);
+      if (sheet.area < options.narrowest * l * sheet.front_length())
+        continue;
+      sheet.start = start_of(sheet, sides, options);
       sheets.push_back(sheet);
     }
     std::stable_sort(sheets.begin(),

@@ -12,10 +12,10 @@
 // the boundary at an angle would be bent.
 //
 // On cubes one mean is a convolution with (1/4, 1/2, 1/4) in each direction,
-// of variance h^2/2, so that n = l^2/(2 h^2) of them make the deviation l/2: a
-// band that is broken two or three nodes wide has a ridge, too, and that of a
-// sphere of radius R is moved inwards by about l^2/(4 R). Neither plane
-// cracks nor symmetric profiles move.
+// of variance h^2/2, so that n = 0.25 l^2/h^2 of them make the deviation 0.35
+// l: a band that is broken two or three nodes wide has a ridge, too. With that
+// of the derivatives, a sheet of radius R is moved inwards by 0.45 l^2/R with h
+// = l/2, and 0.26 l^2/R with l/4. Plane cracks with symmetric profiles stay.
 //
 // Only damaged cells take part, which a rank knows without asking: all cells
 // around own nodes are its own or ghosts. Values at other nodes come from their

@@ -33,7 +33,7 @@ namespace MixedCracks
     public:
       Components(const Fields<3>             &fields,
                  const LinearAlgebra::Vector &phase_field,
-                 const double                 broken)
+                 const double                 connected)
         : fields(fields)
         , nodes(std::make_shared<const Utilities::MPI::Partitioner>(
             fields.phase_field_dofs.owned,
@@ -46,7 +46,7 @@ namespace MixedCracks
         std::iota(root.begin(), root.end(), 0u);
         for (const auto &cell : fields.phase_field.active_cell_iterators())
           if (!cell->is_artificial())
-            join_nodes(cell, phase_field, broken);
+            join_nodes(cell, phase_field, connected);
         agree();
       }
 
@@ -103,11 +103,11 @@ namespace MixedCracks
       void
       join_nodes(const Cell                  &cell,
                  const LinearAlgebra::Vector &phase_field,
-                 const double                 broken)
+                 const double                 connected)
       {
         unsigned int first = numbers::invalid_unsigned_int;
         const auto   add   = [&](const Cell &of, const unsigned int vertex) {
-          if (phase_field(of->vertex_dof_index(vertex, 0)) < broken)
+          if (phase_field(of->vertex_dof_index(vertex, 0)) < connected)
             return;
           const unsigned int node = node_of(of, vertex);
           is_intact[node]         = true;
@@ -183,11 +183,11 @@ namespace MixedCracks
   std::vector<IntactPart>
   intact_parts(const Fields<3>             &fields,
                const LinearAlgebra::Vector &phase_field,
-               const double                 broken)
+               const double                 connected)
   {
     // label and volume, or label and -1 - the id of a boundary
     std::vector<std::array<double, 2>> own;
-    Components                         components(fields, phase_field, broken);
+    Components components(fields, phase_field, connected);
     for (const auto &[label, part] : components.own_parts())
     {
       own.push_back({{label, part.volume}});

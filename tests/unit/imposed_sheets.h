@@ -34,6 +34,15 @@ namespace MixedCracks
       return x < 0.5 * M_PI ? std::sin(x) : 1.;
     }
 
+    /// Where it is 0.5, in l.
+    inline double
+    distance_of_half(const std::string &density)
+    {
+      return density == "AT1"   ? 2. - std::sqrt(2.)
+             : density == "AT2" ? std::log(2.)
+                                : std::asin(0.5);
+    }
+
     /// A box from (0, 0, 0) with sides that have the names of a box, and a
     /// phase field that is the profile of a distance.
     struct ImposedSheet
@@ -68,7 +77,7 @@ namespace MixedCracks
         fields.distribute();
         impose(density, distance);
         state.damage_origins.reach = 3. * l;
-        observer.reinit(l);
+        observer.reinit(l, distance_of_half(density));
       }
 
       void

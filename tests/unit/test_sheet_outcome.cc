@@ -5,6 +5,8 @@
 
 #include <cracks/sheet_outcome.h>
 
+#include <deal.II/grid/grid_tools.h>
+
 #include <gtest/gtest.h>
 
 using namespace MixedCracks;
@@ -22,6 +24,77 @@ namespace
       return std::hypot(x[1] - 0.52, std::max(0., x[0] - end));
     };
   }
+
+  // With doubled nodes at y = 0.5, x < tip, that are broken, and a crack from
+  // there to x = end
+  struct SlitBody
+  {
+    SlitBody(const double tip, const double end)
+      : mesh(MPI_COMM_WORLD)
+      , fields(mesh, {false, 1})
+      , observer(fields,
+                 {{0, "left"},
+                  {1, "right"},
+                  {2, "bottom"},
+                  {3, "top"},
+                  {4, "back"},
+                  {5, "front"},
+                  {6, "slit"}})
+    {
+      const auto is_on_slit = [&](const Point<3> &x) {
+        return std::abs(x[1] - 0.5) < 1e-9 && x[0] < tip - 1e-9;
+      };
+      dealii::Triangulation<3> serial;
+      dealii::GridGenerator::subdivided_hyper_rectangle(
+        serial, {12, 10, 6}, Point<3>(), Point<3>(1.2, 1., 0.6), true);
+      auto [vertices, cells, faces] =
+        dealii::GridTools::get_coarse_mesh_description(serial);
+      std::map<unsigned int, unsigned int> doubled;
+      for (unsigned int v = 0, n = vertices.size(); v < n; ++v)
+        if (is_on_slit(vertices[v]))
+        {
+          doubled[v] = vertices.size();
+          vertices.push_back(vertices[v]);
+        }
+      for (auto &cell : cells)
+        if (vertices[cell.vertices[2]][1] > 0.5 + 1e-9)
+          for (unsigned int &vertex : cell.vertices)
+            if (doubled.count(vertex) > 0)
+              vertex = doubled[vertex];
+      mesh.create_triangulation(vertices, cells, {});
+      for (const auto &cell : mesh.active_cell_iterators())
+        for (const unsigned int f : cell->face_indices())
+          if (cell->face(f)->at_boundary())
+            cell->face(f)->set_boundary_id(
+              std::abs(cell->face(f)->center()[1] - 0.5) < 1e-9 ? 6 : f);
+      fields.distribute();
+      LinearAlgebra::Vector owned =
+        fields.owned_vector(fields.phase_field_dofs);
+      dealii::VectorTools::interpolate(
+        fields.mapping,
+        fields.phase_field,
+        dealii::ScalarFunctionFromFunctionObject<3>([&](const Point<3> &x) {
+          return profile("AT2",
+                         std::hypot(x[1] - 0.5, std::max(0., x[0] - end)) / l);
+        }),
+        owned);
+      state.phase_field = fields.ghosted_vector(fields.phase_field_dofs);
+      state.phase_field = owned;
+      state.damage_origins.reach = 3. * l;
+      observer.reinit(l);
+    }
+
+    TracedCracks
+    trace() const
+    {
+      return observer.trace(state);
+    }
+
+    dealii::parallel::distributed::Triangulation<3> mesh;
+    Fields<3>                                       fields;
+    State                                           state;
+    CrackObserver<3>                                observer;
+  };
 
   Outcome
   outcome_of(const Distance &distance, const std::vector<Point<3>> &nuclei = {})
@@ -87,17 +160,10 @@ TEST(SheetOutcome, ACrackThroughTheBodySeparates)
 
 
 
-// Where the ligament is 0.6 l wide, phi is below 0.5 in all of it: the sheet
-// has no front any more. Where it is 0.3 l wide all of it is broken.
+// the ligament is 0.6 l wide: phi is below 0.5 in all of it
 TEST(SheetOutcome, AFrontNearTheSideHasReachedIt)
 {
-  const ImposedSheet body(
-    {{1.2, 1., 0.6}}, h, l, "AT2", to_half_plane(1.2 - 0.6 * l));
-  const TracedCracks cracks = body.trace();
-  EXPECT_FALSE(cracks.separate_body);
-  for (const CrackSheet &sheet : cracks.sheets)
-    EXPECT_EQ(sheet.joins(), "back to front to left to right");
-  const Outcome outcome = outcome_of(to_half_plane(1.2 - 0.3 * l));
+  const Outcome outcome = outcome_of(to_half_plane(1.2 - 0.6 * l));
   EXPECT_EQ(separates(outcome), is_first_rank());
 }
 
@@ -126,6 +192,25 @@ TEST(SheetOutcome, APennyBeganInTheMaterial)
   EXPECT_EQ(cracks.outcome.start, "interior");
   ASSERT_EQ(cracks.sheets.size(), 1u);
   EXPECT_EQ(cracks.sheets[0].joins(), "tip");
+}
+
+
+
+// A slit of doubled nodes up to x = 0.4 is none, a crack ahead of it is one.
+TEST(SheetOutcome, ACrackBeginsAtTheTipOfASlit)
+{
+  for (const double end : {0.4, 0.83})
+  {
+    const SlitBody     body(0.4, end);
+    const TracedCracks cracks = body.trace();
+    EXPECT_FALSE(cracks.separate_body);
+    EXPECT_EQ(cracks.sheets.size(), is_first_rank() && end > 0.4 ? 1u : 0u);
+    for (const CrackSheet &sheet : cracks.sheets)
+    {
+      EXPECT_EQ(sheet.joins(), "slit to back to front to tip");
+      EXPECT_NEAR(sheet.area, 0.43 * 0.6, 0.5 * h * 0.6);
+    }
+  }
 }
 
 
