@@ -7,6 +7,7 @@
 #include <deal.II/base/point.h>
 #include <deal.II/base/tensor.h>
 
+#include <algorithm>
 #include <array>
 #include <map>
 #include <utility>
@@ -88,6 +89,12 @@ namespace MixedCracks
     std::vector<Triangle>         triangles;
 
   private:
+    static Side
+    side_between(const unsigned int a, const unsigned int b)
+    {
+      return {std::min(a, b), std::max(a, b)};
+    }
+
     std::map<Side, std::vector<SideOf>> sides() const;
     std::vector<std::vector<unsigned int>>
     turn_neighbours(const std::map<Side, std::vector<SideOf>> &by_vertices);

@@ -16,10 +16,10 @@ namespace MixedCracks
     unsigned int     crack = 0, front = 0; ///< numbers of these in the step
     bool             is_closed = false;    ///< see CrackFront
     unsigned int     point     = 0;
-    dealii::Point<3> position;        ///< mm
-    double           arc_length = 0.; ///< mm
-    double           tip_speed;       ///< mm/s; NaN where it is not known
-    double           opening_angle;   ///< degrees; NaN where it is not known
+    dealii::Point<3> position;           ///< mm
+    double           arc_length    = 0.; ///< mm
+    double           tip_speed     = 0.; ///< mm/s; NaN where it is not known
+    double           opening_angle = 0.; ///< degrees; NaN where it is not known
   };
 
   /// The header of the table, with its end.
