@@ -16,10 +16,11 @@ namespace MixedCracks
   {
     enum class Kind
     {
-      not_traced, ///< in 3-d, where cracks have no paths
-      none,       ///< there is no crack
-      arrested,   ///< there are cracks, but they join no two sides
-      separated   ///< cracks join two different sides
+      none,     ///< there is no crack
+      arrested, ///< there are cracks, but they join no two sides
+      /// cracks join two different sides; in 3-d they leave two parts, see
+      /// are_separate()
+      separated
     };
     /// Where the cracks that separate the body run, as seen from a hole.
     enum class Way
@@ -35,7 +36,7 @@ namespace MixedCracks
     std::string hole;
     /// what each crack joins that separates the body: "left to hole", "hole to
     /// right"; "crack" is where a branch leaves another one, "tip" an end in
-    /// the material
+    /// the material. In 3-d all boundaries it comes to, CrackSheet::joins()
     std::vector<std::string> joins;
     /// Of the cracks that make the connection, or else of the longest crack,
     /// the end at which damage came first (without nuclei: the notch when one
@@ -45,9 +46,6 @@ namespace MixedCracks
     /// the material; "none" without a crack.
     std::string start = "none";
   };
-
-  /// What there is in 3-d.
-  Outcome not_traced();
 
   /// The word for the path of the cracks that stands in files, from one table:
   /// "none", "arrested", "through hole", "below hole" and so on with the name

@@ -12,14 +12,14 @@ namespace MixedCracks
 
   /// Begin with nodes that are broken from the start. @p reach: some l, mm.
   DamageOrigins origins_at_start(double                               reach,
-                                 const std::vector<dealii::Point<2>> &nodes);
+                                 const std::vector<dealii::Point<3>> &nodes);
 
   /// Nodes that have broken since.
-  void add_broken_nodes(const std::vector<dealii::Point<2>> &nodes,
+  void add_broken_nodes(const std::vector<dealii::Point<3>> &nodes,
                         DamageOrigins                       &origins);
 
   /// Whether that node was seen broken already.
-  bool is_known(const dealii::Point<2> &node, const DamageOrigins &origins);
+  bool is_known(const dealii::Point<3> &node, const DamageOrigins &origins);
 } // namespace MixedCracks
 
 #endif

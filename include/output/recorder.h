@@ -11,6 +11,7 @@
 #include <output/crack_opening.h>
 #include <output/crack_opening_file.h>
 #include <output/crack_path_writer.h>
+#include <output/crack_sheet_writer.h>
 #include <output/event_table.h>
 #include <output/field_output.h>
 #include <output/measurement.h>
@@ -80,6 +81,14 @@ namespace MixedCracks
     /// Write anew what an earlier piece of the run has come to. @p state: its
     /// last.
     void restore(const RunRecord &record, const State &state);
+
+    /// Those of the last state of an earlier piece, from which the next step
+    /// counts how far they have come.
+    void
+    remember_cracks(const TracedCracks &cracks, const State &state)
+    {
+      crack_sheet_writer.remember(state.time, cracks.sheets);
+    }
 
     /// On the force boundary, with thickness; N.
     dealii::Tensor<1, dim> force(const State &state) const;
@@ -184,6 +193,7 @@ namespace MixedCracks
 
     BoundaryQuantities<dim> boundary_quantities;
     CrackPathWriter<dim>    crack_path_writer;
+    CrackSheetWriter<dim>   crack_sheet_writer;
     EventTable              event_table;
     CrackOpening<dim>       crack_opening;
     CrackOpeningFile<dim>   crack_opening_file;

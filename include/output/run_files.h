@@ -44,8 +44,8 @@ namespace MixedCracks
   /// files by their names. Empty where there is no run.
   std::vector<std::string> files_of_runs(const std::string &directory);
 
-  /// Files in "fields" and "crack_path" that have the names of those that a
-  /// run writes there, whosoever wrote them.
+  /// Files in "fields", "crack_path", "crack_sheet" and "crack_front" that have
+  /// the names of those that a run writes there, whosoever wrote them.
   std::vector<std::string> numbered_files(const std::string &directory);
 
   /// Remove these files, and these folders where nothing is left in them; what

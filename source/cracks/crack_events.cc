@@ -64,13 +64,13 @@ namespace MixedCracks
              const Point<2>      &other_end,
              const DamageOrigins &origins)
     {
-      return std::any_of(origins.nuclei.begin(),
-                         origins.nuclei.end(),
-                         [&](const Point<2> &nucleus) {
-                           const double distance = end.distance(nucleus);
-                           return distance < origins.reach &&
-                                  distance <= other_end.distance(nucleus);
-                         });
+      const std::vector<Point<2>> nuclei = in_plane(origins.nuclei);
+      return std::any_of(
+        nuclei.begin(), nuclei.end(), [&](const Point<2> &nucleus) {
+          const double distance = end.distance(nucleus);
+          return distance < origins.reach &&
+                 distance <= other_end.distance(nucleus);
+        });
     }
   } // namespace
 
@@ -159,7 +159,7 @@ namespace MixedCracks
     };
     std::optional<Point<2>> origin;
     if (!origins.nuclei.empty())
-      origin = rounded(origins.nuclei.front());
+      origin = rounded(in_plane(origins.nuclei).front());
     if (is_first || (origin && !has_begun))
       add("onset", "", origin);
     if (multiples(now.growth) > multiples(growth))

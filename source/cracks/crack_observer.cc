@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// From distributed fields to what rank 0 traces. Tracing is about whole bands,
-// and only a few cells are damaged: those with a node below 0.9 are sent to
-// rank 0, 12 numbers each (four vertices x, y and their phi), and the verdict
-// on the body comes back, one number.
+// From distributed fields to what rank 0 traces in the plane (in space:
+// crack_observer_space.cc). Tracing is about whole bands, and only a few cells
+// are damaged: those with a node below 0.9 are sent to rank 0, 12 numbers each
+// (four vertices x, y and their phi), and the verdict on the body comes back,
+// one number.
 //
 // Whether nodes have broken is asked in every iteration of a step: one
 // reduction when there are none, and an exchange of points only when there are.
@@ -17,6 +18,7 @@
 #include <deal.II/base/mpi.h>
 
 #include <algorithm>
+#include <tuple>
 #include <utility>
 
 namespace MixedCracks
@@ -69,18 +71,19 @@ namespace MixedCracks
 
   template <int dim>
   void
-  CrackObserver<dim>::reinit(const double length)
+  CrackObserver<dim>::reinit(const double length, const double lag)
   {
     length_scale          = length;
+    front_lag             = lag;
     const IndexSet &owned = fields.phase_field_dofs.owned;
-    positions.assign(owned.n_elements(), Point<dim>());
+    positions.assign(owned.n_elements(), Point<3>());
     for (const auto &cell : fields.phase_field.active_cell_iterators())
       if (!cell->is_artificial())
         for (const unsigned int v : cell->vertex_indices())
         {
           const auto dof = cell->vertex_dof_index(v, 0);
           if (owned.is_element(dof))
-            positions[owned.index_within_set(dof)] = cell->vertex(v);
+            positions[owned.index_within_set(dof)] = in_space(cell->vertex(v));
         }
     edges = boundary_edges();
   }
@@ -88,27 +91,24 @@ namespace MixedCracks
 
 
   template <int dim>
-  std::vector<Point<2>>
+  std::vector<Point<3>>
   CrackObserver<dim>::newly_broken(const Vector        &phase_field,
                                    const DamageOrigins &origins) const
   {
-    std::vector<Point<2>> own, all;
-    if constexpr (dim == 2)
-    {
-      const IndexSet &owned = fields.phase_field_dofs.owned;
-      for (unsigned int i = 0; i < positions.size(); ++i)
-        if (phase_field(owned.nth_index_in_set(i)) < broken &&
-            !is_known(positions[i], origins))
-          own.push_back(positions[i]);
-      const MPI_Comm communicator = fields.communicator();
-      if (Utilities::MPI::max(own.empty() ? 0 : 1, communicator) > 0)
-        for (const auto &part : Utilities::MPI::all_gather(communicator, own))
-          all.insert(all.end(), part.begin(), part.end());
-      // in an order that does not depend on the number of ranks
-      std::sort(all.begin(), all.end(), [](const auto &a, const auto &b) {
-        return a[0] != b[0] ? a[0] < b[0] : a[1] < b[1];
-      });
-    }
+    std::vector<Point<3>> own, all;
+    const IndexSet       &owned = fields.phase_field_dofs.owned;
+    for (unsigned int i = 0; i < positions.size(); ++i)
+      if (phase_field(owned.nth_index_in_set(i)) < broken &&
+          !is_known(positions[i], origins))
+        own.push_back(positions[i]);
+    const MPI_Comm communicator = fields.communicator();
+    if (Utilities::MPI::max(own.empty() ? 0 : 1, communicator) > 0)
+      for (const auto &part : Utilities::MPI::all_gather(communicator, own))
+        all.insert(all.end(), part.begin(), part.end());
+    // in an order that does not depend on the number of ranks
+    std::sort(all.begin(), all.end(), [](const auto &a, const auto &b) {
+      return std::tie(a[0], a[1], a[2]) < std::tie(b[0], b[1], b[2]);
+    });
     return all;
   }
 
@@ -213,17 +213,17 @@ namespace MixedCracks
   CrackObserver<dim>::trace(const State &state) const
   {
     TracedCracks traced;
-    if (dim == 3)
-      traced.outcome = not_traced();
-    if (dim == 3 || !state.damage_origins.is_watched())
+    if (!state.damage_origins.is_watched())
       return traced;
+    if constexpr (dim == 3)
+      return trace_in_space(fields, names, length_scale, front_lag, state);
     const MPI_Comm                 communicator = fields.communicator();
     const std::vector<DamagedCell> cells = damaged_cells(state.phase_field);
     if (Utilities::MPI::this_mpi_process(communicator) == 0)
     {
       CrackPathOptions options;
       options.length_scale = length_scale;
-      options.nuclei       = state.damage_origins.nuclei;
+      options.nuclei       = in_plane(state.damage_origins.nuclei);
       if (!cells.empty())
         traced.paths = trace_cracks(cells, edges, options);
       traced.outcome =

@@ -35,7 +35,6 @@ namespace MixedCracks
       const char   *word;
     };
     constexpr Word words[] = {
-      {Outcome::Kind::not_traced, Outcome::Way::elsewhere, "not traced"},
       {Outcome::Kind::none, Outcome::Way::elsewhere, "none"},
       {Outcome::Kind::arrested, Outcome::Way::elsewhere, "arrested"},
       {Outcome::Kind::separated, Outcome::Way::elsewhere, "other"},
@@ -234,17 +233,6 @@ namespace MixedCracks
       return joins;
     }
   } // namespace
-
-
-
-  Outcome
-  not_traced()
-  {
-    Outcome outcome;
-    outcome.kind  = Outcome::Kind::not_traced;
-    outcome.start = path_in_words(outcome);
-    return outcome;
-  }
 
 
 

@@ -16,7 +16,7 @@
 // would be too late, as a crack can cross the body within one of them.
 //
 // K is kept in boxes of edge R: what is nearer than R lies in the box of x or
-// in one of its 8 neighbours.
+// in one of its 26 neighbours, of which a body in the plane has 8.
 
 #include <cracks/damage_origins.h>
 
@@ -36,29 +36,32 @@ namespace MixedCracks
 
 
     DamageOrigins::Box
-    box_of(const Point<2> &point, const double size)
+    box_of(const Point<3> &point, const double size)
     {
       return {{static_cast<int>(std::floor(point[0] / size)),
-               static_cast<int>(std::floor(point[1] / size))}};
+               static_cast<int>(std::floor(point[1] / size)),
+               static_cast<int>(std::floor(point[2] / size))}};
     }
 
 
 
     // to the nearest node known, no more than the reach
     double
-    distance_to_known(const Point<2> &point, const DamageOrigins &origins)
+    distance_to_known(const Point<3> &point, const DamageOrigins &origins)
     {
       double                   smallest = origins.reach;
       const DamageOrigins::Box home     = box_of(point, origins.reach);
       for (int i = -1; i <= 1; ++i)
         for (int j = -1; j <= 1; ++j)
-        {
-          const auto box = origins.known.find({{home[0] + i, home[1] + j}});
-          if (box == origins.known.end())
-            continue;
-          for (const Point<2> &other : box->second)
-            smallest = std::min(smallest, other.distance(point));
-        }
+          for (int k = -1; k <= 1; ++k)
+          {
+            const auto box =
+              origins.known.find({{home[0] + i, home[1] + j, home[2] + k}});
+            if (box == origins.known.end())
+              continue;
+            for (const Point<3> &other : box->second)
+              smallest = std::min(smallest, other.distance(point));
+          }
       return smallest;
     }
 
@@ -67,14 +70,14 @@ namespace MixedCracks
     // The initial cracks begin to grow where they are nearest to the first
     // damage that is beyond their own profile.
     void
-    look_for_growth(const Point<2> &node, DamageOrigins &origins)
+    look_for_growth(const Point<3> &node, DamageOrigins &origins)
     {
       if (origins.initial_has_grown || origins.initial.empty())
         return;
       const auto nearest =
         std::min_element(origins.initial.begin(),
                          origins.initial.end(),
-                         [&](const Point<2> &a, const Point<2> &b) {
+                         [&](const Point<3> &a, const Point<3> &b) {
                            return a.distance(node) < b.distance(node);
                          });
       const double away = nearest->distance(node);
@@ -89,12 +92,12 @@ namespace MixedCracks
 
 
   DamageOrigins
-  origins_at_start(const double reach, const std::vector<Point<2>> &nodes)
+  origins_at_start(const double reach, const std::vector<Point<3>> &nodes)
   {
     DamageOrigins origins;
     origins.reach   = reach;
     origins.initial = nodes;
-    for (const Point<2> &node : nodes)
+    for (const Point<3> &node : nodes)
       origins.known[box_of(node, reach)].push_back(node);
     return origins;
   }
@@ -102,9 +105,9 @@ namespace MixedCracks
 
 
   void
-  add_broken_nodes(const std::vector<Point<2>> &nodes, DamageOrigins &origins)
+  add_broken_nodes(const std::vector<Point<3>> &nodes, DamageOrigins &origins)
   {
-    for (const Point<2> &node : nodes)
+    for (const Point<3> &node : nodes)
     {
       const double from_known = distance_to_known(node, origins);
       if (from_known == 0.)
@@ -120,7 +123,7 @@ namespace MixedCracks
 
 
   bool
-  is_known(const Point<2> &node, const DamageOrigins &origins)
+  is_known(const Point<3> &node, const DamageOrigins &origins)
   {
     const auto box = origins.known.find(box_of(node, origins.reach));
     return box != origins.known.end() &&

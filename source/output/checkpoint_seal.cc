@@ -13,7 +13,7 @@
 // are written from the bottom up: a seal means that everything it vouches for
 // was read back before.
 //
-// Format = 4 + 1000 (n - 25), n the number of quantities that rows have: with a
+// Format = 6 + 1000 (n - 25), n the number of quantities that rows have: with a
 // new quantity old checkpoints have rows without it, and are refused by number
 // rather than by a failure to parse.
 
@@ -33,7 +33,7 @@ namespace MixedCracks
   namespace
   {
     // that of all files but the rows, which had so many quantities then
-    constexpr unsigned int format_of_files = 5;
+    constexpr unsigned int format_of_files = 6;
     constexpr unsigned int n_quantities    = 25;
 
     const std::string seal_name   = "/seal.txt";

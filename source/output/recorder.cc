@@ -40,6 +40,7 @@ namespace MixedCracks
     , options(options)
     , boundary_quantities(fields, constraints, options.force_boundary)
     , crack_path_writer(options.output.directory, fields.communicator())
+    , crack_sheet_writer(options.output.directory, fields)
     , event_table(options.output.directory,
                   options.events,
                   fields.communicator())
@@ -132,6 +133,7 @@ namespace MixedCracks
   Recorder<dim>::open_crack_files()
   {
     crack_path_writer.open(length_scale);
+    crack_sheet_writer.open(length_scale);
     event_table.open();
     crack_opening_file.open();
     traction_profiles.open();
@@ -229,6 +231,11 @@ namespace MixedCracks
   {
     crack_path_writer.add(
       last().step(), last()["time"], last()["displacement"], cracks.paths);
+    crack_sheet_writer.add(last().step(),
+                           last()["time"],
+                           last()["displacement"],
+                           cracks.sheets,
+                           state.elastic);
     return event_table.add(last(), cracks, state.damage_origins);
   }
 
@@ -293,6 +300,11 @@ namespace MixedCracks
     record.field_files = field_output.records();
     record.tables      = {{"crack_path.csv", crack_path_writer.rows()},
                           {"crack_opening.csv", crack_opening_file.rows()}};
+    if (dim == 3)
+    {
+      record.tables["crack_sheet.csv"] = crack_sheet_writer.sheet_rows();
+      record.tables["crack_front.csv"] = crack_sheet_writer.front_rows();
+    }
     if (!event_table.rows().empty())
       record.tables["events.csv"] = event_table.rows();
     if (!traction_profiles.rows().empty())
@@ -319,6 +331,8 @@ namespace MixedCracks
     statistics.restore(record.rows);
     slit_watch.restore(record);
     crack_path_writer.restore(length_scale, table("crack_path.csv"));
+    crack_sheet_writer.restore(
+      length_scale, table("crack_sheet.csv"), table("crack_front.csv"));
     crack_opening_file.restore(table("crack_opening.csv"));
     event_table.restore(table("events.csv"));
     traction_profiles.restore(table("traction_profiles.csv"));
@@ -349,6 +363,7 @@ namespace MixedCracks
   Recorder<dim>::finish(const Summary &summary)
   {
     crack_path_writer.finish(summary.cracks);
+    crack_sheet_writer.finish(summary.cracks);
     std::string message;
     if (Utilities::MPI::this_mpi_process(fields.communicator()) == 0)
       message = write_summary(options.output.directory + "/summary.json",

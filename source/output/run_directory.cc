@@ -96,6 +96,13 @@ namespace MixedCracks
          "crack_path.pvd",
          "crack_path.pvd.part",
          "crack_path/"});
+    for (const std::string name : {"crack_sheet", "crack_front"})
+      add(dim == 3,
+          {name + ".csv",
+           name + ".csv.part",
+           name + ".pvd",
+           name + ".pvd.part",
+           name + '/'});
     add(with_crack_openings, {"crack_opening.csv", "crack_opening.csv.part"});
     add(parameters.with_fields(), {"fields/"});
     add(format == "VTU" || format == "both", {"fields.pvd", "fields.pvd.part"});

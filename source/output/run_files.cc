@@ -278,7 +278,8 @@ namespace MixedCracks
                 "(fields|mesh)_[0-9]{5,}\\.h5(\\.part)?|"
                 "crack_surface_[0-9]{5,}\\.vtp",
                 names);
-    add_fitting(directory, "crack_path/", "crack_path_[0-9]{6,}\\.vtp", names);
+    for (const std::string name : {"crack_path", "crack_sheet", "crack_front"})
+      add_fitting(directory, name + '/', name + "_[0-9]{6,}\\.vtp", names);
     return names;
   }
 

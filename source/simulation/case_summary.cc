@@ -46,13 +46,12 @@ namespace MixedCracks
             const Recorder<dim>  &recorder,
             const EndOfRun       &end)
   {
-    Summary summary       = case_summary(body);
-    summary.case_in_words = before_the_run.case_in_words();
-    summary.linear_solver = end.linear_solver;
-    summary.asked         = recorder.asked_quantities();
-    summary.cracks        = end.cracks;
-    if (dim == 2)
-      summary.separated = separates(end.cracks);
+    Summary summary             = case_summary(body);
+    summary.case_in_words       = before_the_run.case_in_words();
+    summary.linear_solver       = end.linear_solver;
+    summary.asked               = recorder.asked_quantities();
+    summary.cracks              = end.cracks;
+    summary.separated           = separates(end.cracks);
     summary.without_equilibrium = end.end == RunEnd::no_equilibrium;
     summary.force_fell     = recorder.last().force_size() < end.fallen_force;
     summary.exit_reason    = end.outcome.reason;

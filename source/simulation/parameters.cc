@@ -117,11 +117,6 @@ namespace MixedCracks
         "'normal' of Boundary conditions/Traction, a dead load.");
     initial_cracks.check();
     load.check();
-    if (dim == 3 && load.stop_when_separated)
-      throw InputError("Load stepping/Stop when separated: found true with "
-                       "Geometry/Dimension = 3, allowed is false: paths of "
-                       "cracks are known in 2-d only. Load stepping/Stop when "
-                       "force falls below ends a run in 3-d.");
     solver.check();
     check_matrix_free();
     output.check();

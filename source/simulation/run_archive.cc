@@ -111,6 +111,8 @@ namespace MixedCracks
   RunArchive<dim>::restore_records(const State &state)
   {
     recorder.restore(*resumed, state);
+    if (dim == 3)
+      recorder.remember_cracks(crack_observer.trace(state), state);
     log.line(format("resumed at step %u", recorder.last().step()));
   }
 

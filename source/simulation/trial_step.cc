@@ -41,6 +41,21 @@ namespace MixedCracks
       effort.active_set_size     = outcome.active_set_size;
       return effort;
     }
+
+
+
+    // From a crack to where the optimal profile is 0.5, in l, by bisection.
+    double
+    distance_of_half(const CrackDensity &density)
+    {
+      double inside = 0., outside = 2.;
+      for (unsigned int i = 0; i < 40; ++i)
+      {
+        const double middle = 0.5 * (inside + outside);
+        (density.optimal_profile(middle) < 0.5 ? inside : outside) = middle;
+      }
+      return inside;
+    }
   } // namespace
 
 
@@ -131,7 +146,8 @@ namespace MixedCracks
   {
     solvers.reinit();
     run_log.linear_solver(solvers.elastic.linear_solver_in_words());
-    crack_observer.reinit(body.length_scale());
+    crack_observer.reinit(body.length_scale(),
+                          distance_of_half(body.material->crack_density()));
     recorder.reinit(solvers.assembler, body.length_scale());
   }
 

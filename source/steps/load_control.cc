@@ -125,7 +125,8 @@ namespace MixedCracks
       stop_when_separated,
       "The run ends when cracks (2-d: those of crack_path.csv), "
       "with the hole or without, join two sides of the body or "
-      "its notch and a side, whatever force is left. A step in which "
+      "its notch and a side, in 3-d when they leave two parts of it that come "
+      "to two sides each, whatever force is left. A step in which "
       "that happens is not settled further once less than 15 % of the "
       "peak force is left.",
       dealii::Patterns::Bool());

@@ -96,9 +96,6 @@ CASES = [
     box("no component of that name", [
         ("Boundary conditions/Displacement", "top : w : 0")],
         "'w'", "x, y, z"),
-    box("crack paths", [("Load stepping/Stop when separated", "true")],
-        "Load stepping/Stop when separated", "2-d only",
-        "Stop when force falls below"),
     box("a rotation without an axis", [
         ("Boundary conditions/Displacement", "top : rotation about 0, 0, 0 : t")],
         "'rotation about 0, 0, 0'", "axis 0, 0, 1"),

@@ -111,7 +111,7 @@ def changed_map(folder):
 
 
 def in_3d(whole, parts):
-    """The same on an adaptive mesh in 3-d, where there are no crack paths."""
+    """The same on an adaptive mesh in 3-d, where there are sheets."""
     run(1, whole, case=CASE_3D)
     run(1, parts, settings=["Output/Wall time limit=1e-6"], status=5, case=CASE_3D)
     run(2, parts, "--resume", case=CASE_3D)
@@ -119,7 +119,11 @@ def in_3d(whole, parts):
     assert int(rows(whole)[-1]["refinements"]) > 0
     assert float(rows(whole)[-1]["inside_z_mm"]) != 0.
     assert not list(whole.glob("crack_path*"))
-    assert summary(whole)["outcome"] == "not traced", summary(whole)["outcome"]
+    for name in ("outcome", "outcome_start", "separated"):
+        assert summary(whole)[name] == summary(parts)[name], name
+    for name in ("crack_sheet.csv", "crack_front.csv"):
+        assert len((whole / name).read_text().splitlines()) == \
+            len((parts / name).read_text().splitlines()), name
     # the cells of the last mesh, refined once
     coarse = whole.with_name("coarse")
     run(1, coarse, case=(CASE_3D[0], ["Load stepping/End time=12"]))

@@ -19,9 +19,9 @@ namespace
   DamageOrigins
   notched()
   {
-    std::vector<Point<2>> nodes;
+    std::vector<Point<3>> nodes;
     for (unsigned int i = 0; i <= 10; ++i)
-      nodes.push_back({0.1 * i, 0.});
+      nodes.push_back({0.1 * i, 0., 0.});
     return origins_at_start(0.9, nodes);
   }
 
@@ -97,11 +97,11 @@ namespace
 TEST(Checkpoint, AResumedRunKnowsWhetherTheNotchHasGrown)
 {
   DamageOrigins uninterrupted = notched();
-  add_broken_nodes({{8., 3.}, {8.1, 3.}}, uninterrupted);
+  add_broken_nodes({{8., 3., 0.}, {8.1, 3., 0.}}, uninterrupted);
   DamageOrigins continued = resumed(uninterrupted);
   expect_equal(continued, uninterrupted);
   for (DamageOrigins *origins : {&uninterrupted, &continued})
-    add_broken_nodes({{8.5, 3.}, {1.5, 0.}, {1.9, 0.}}, *origins);
+    add_broken_nodes({{8.5, 3., 0.}, {1.5, 0., 0.}, {1.9, 0., 0.}}, *origins);
   ASSERT_EQ(uninterrupted.nuclei.size(), 2u);
   expect_equal(continued, uninterrupted);
   expect_equal(resumed(uninterrupted), uninterrupted);
@@ -113,9 +113,9 @@ TEST(Checkpoint, AResumedRunKnowsWhetherTheNotchHasGrown)
 TEST(Checkpoint, AResumedRunKnowsNodesThatAreNotBrokenAnyMore)
 {
   DamageOrigins uninterrupted = notched();
-  add_broken_nodes({{1. / 3., 7.7}}, uninterrupted);
+  add_broken_nodes({{1. / 3., 7.7, 0.4}}, uninterrupted);
   DamageOrigins continued = resumed(uninterrupted);
-  EXPECT_TRUE(is_known({1. / 3., 7.7}, continued));
-  add_broken_nodes({{1. / 3., 7.7}}, continued);
+  EXPECT_TRUE(is_known({1. / 3., 7.7, 0.4}, continued));
+  add_broken_nodes({{1. / 3., 7.7, 0.4}}, continued);
   EXPECT_EQ(continued.nuclei.size(), 1u);
 }

@@ -31,8 +31,9 @@ namespace
   origins_of(const std::vector<Point<2>> &nuclei)
   {
     DamageOrigins origins;
-    origins.reach  = 0.3;
-    origins.nuclei = nuclei;
+    origins.reach = 0.3;
+    for (const Point<2> &nucleus : nuclei)
+      origins.nuclei.push_back(in_space(nucleus));
     return origins;
   }
 

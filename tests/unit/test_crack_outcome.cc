@@ -119,7 +119,6 @@ TEST(CrackOutcome, HasAWordForEverything)
   const std::set<std::string> expected = {
     "other", "through bore", "below bore", "above bore"};
   EXPECT_EQ(words, expected);
-  EXPECT_EQ(path_in_words(not_traced()), "not traced");
 }
 
 
@@ -196,7 +195,6 @@ TEST(CrackOutcome, OnlyAConnectionSeparates)
   EXPECT_FALSE(separates(outcome({to_hole})));
   EXPECT_TRUE(separates(outcome({onward, to_hole})));
   EXPECT_TRUE(separates(outcome({across})));
-  EXPECT_FALSE(separates(not_traced()));
 }
 
 
