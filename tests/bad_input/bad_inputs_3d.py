@@ -87,7 +87,7 @@ CASES = [
     box("words for cells", [("Geometry/Box/Cells", "2, 2, two")],
         "Geometry/Box/Cells", "two"),
     box("a flat refined box", [("Mesh/Refined boxes", "0,0 : 1,1 : 1")],
-        "Mesh/Refined boxes", "needs 3 numbers"),
+        "Mesh/Refined boxes", "point of 3 numbers"),
     box("a refined box outside", [("Mesh/Refined boxes", "0,0,2 : 1,1,3 : 1")],
         "Mesh/Refined boxes", "outside the domain", r"\(1, 1, 1\)"),
     box("no boundary of that name", [
