@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include <base/collective.h>
+#include <base/memory.h>
 #include <base/single_process.h>
 #include <base/standard_streams.h>
 #include <base/stop_request.h>
@@ -330,6 +331,7 @@ int
 main(int argc, char **argv)
 {
   occupy_standard_streams();
+  return_large_blocks();
   if (prepare_single_process())
     if (const std::optional<int> status = answer_at_once(argc, argv))
       return *status;

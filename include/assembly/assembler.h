@@ -111,6 +111,14 @@ namespace MixedCracks
     void elastic_matrix(const Constraints           &constraints,
                         LinearAlgebra::SparseMatrix &matrix);
 
+    /// For products without a matrix: visit_tangents() are those of the last
+    /// elastic_residual(), and distances those from the present state.
+    void
+    note_matrix()
+    {
+      tangent.note_matrix(/*was_corrected=*/false, /*keeps_points=*/false);
+    }
+
     bool
     is_finite() const
     {

@@ -12,8 +12,8 @@ namespace MixedCracks
   /// operator of linear ones on the same cells, which is theirs restricted to
   /// a subspace; smoothed aggregation suits it, which it does not suit the
   /// quadratic one. For the pressure: its mass matrix weighted with the local
-  /// compliance, near to the Schur complement. In the numbering of the
-  /// elastic fields. Collective.
+  /// compliance, near to the Schur complement, in the numbering of the elastic
+  /// fields. Collective.
   template <int dim>
   class AssembledAuxiliaries
   {

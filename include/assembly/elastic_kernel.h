@@ -59,6 +59,13 @@ namespace MixedCracks
     void reinit(const CellGeometry<dim> &geometry,
                 const CellConstants     &constants);
 
+    /// For set_points() and what belongs to points: without a cell.
+    void
+    reinit_points(const CellConstants &constants_at_points)
+    {
+      constants = constants_at_points;
+    }
+
     /// With constants that are the same everywhere.
     void
     reinit(const CellGeometry<dim> &geometry)

@@ -40,11 +40,14 @@ namespace MixedCracks
       return &states[std::size_t(cell) * n_points];
     }
 
-    /// The first point of a cell, as the matrix has it.
+    /// The first point of a cell, as the matrix has it; as it is now, if no
+    /// points were kept.
     const ElasticPoint<dim> *
     of_matrix(const unsigned int cell) const
     {
-      return &matrix_states[std::size_t(cell) * n_points];
+      return matrix_states.empty()
+               ? present(cell)
+               : &matrix_states[std::size_t(cell) * n_points];
     }
 
     /// Add one cell to @p distance. At finite strain no regime changes.
@@ -57,12 +60,23 @@ namespace MixedCracks
     /// built anew. @p n_changed of @p n_cells, of all ranks, have changed.
     bool is_to_be_corrected(double n_changed, double n_cells) const;
 
-    /// The matrix is now that of the present state.
-    void note_matrix(bool was_corrected);
+    /// The matrix is now that of the present state. @p keeps_points: what a
+    /// correction or a comparison of F would need, a third of the memory of
+    /// products without a matrix.
+    void note_matrix(bool was_corrected, bool keeps_points = true);
 
   private:
+    /// of a point, what says whether its tangent is the same
+    struct Mark
+    {
+      double degradation;
+      int    regime;
+    };
+
     unsigned int                   n_points = 0;
-    std::vector<ElasticPoint<dim>> states, matrix_states;
+    std::vector<ElasticPoint<dim>> states;
+    std::vector<ElasticPoint<dim>> matrix_states; // or empty
+    std::vector<Mark>              matrix_marks;
     unsigned int                   n_corrections = 0; // in a row
   };
 } // namespace MixedCracks

@@ -3,6 +3,7 @@
 #define mixed_cracks_base_compat_h
 
 #include <deal.II/base/index_set.h>
+#include <deal.II/base/subscriptor.h>
 
 #include <deal.II/lac/affine_constraints.h>
 
@@ -11,6 +12,13 @@ namespace MixedCracks
   /// The only file that asks for the version of deal.II (9.4 to 9.7).
   namespace Compat
   {
+    /// Base of what library objects keep a pointer to.
+#if DEAL_II_VERSION_GTE(9, 7, 0)
+    using Observed = dealii::EnableObserverPointer;
+#else
+    using Observed = dealii::Subscriptor;
+#endif
+
     /// Start anew with constraints on @p relevant of the dofs of a handler.
     inline void
     reinit(dealii::AffineConstraints<double>       &constraints,

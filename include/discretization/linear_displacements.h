@@ -4,12 +4,15 @@
 
 #include <discretization/constraints.h>
 
+#include <Epetra_CrsMatrix.h>
+
+#include <memory>
+
 namespace MixedCracks
 {
   /// Among quadratic displacements those that are (multi)linear on each cell:
   /// the coarse space of multigrid. Their unknowns are the displacements of
-  /// the vertices, in the numbering of the elastic fields, so that a matrix
-  /// of theirs has empty rows elsewhere.
+  /// the vertices, in the order of the elastic dofs but numbered without gaps.
   template <int dim>
   class LinearDisplacements
   {
@@ -26,8 +29,15 @@ namespace MixedCracks
       return is_at_vertex;
     }
 
-    /// Of a cell of the elastic fields the dofs of its vertices, component by
-    /// component for each vertex.
+    /// Numbers of coarse unknowns.
+    const DofSets &
+    dofs() const
+    {
+      return coarse_dofs;
+    }
+
+    /// Of a cell of the elastic fields the unknowns of its vertices, component
+    /// by component for each vertex.
     void
     get_dofs(const typename dealii::DoFHandler<dim>::active_cell_iterator &cell,
              Indices &dofs) const;
@@ -40,15 +50,28 @@ namespace MixedCracks
       return linear_constraints;
     }
 
-    /// From the displacements of vertices to those of all nodes. Rows of
+    /// From the displacements of vertices to the elastic dofs. Rows of
     /// constrained dofs and of pressures are empty.
-    const LinearAlgebra::SparseMatrix &
+    const Epetra_CrsMatrix &
     interpolation() const
     {
-      return interpolation_matrix;
+      return *interpolation_matrix;
     }
 
   private:
+    using Cell = typename dealii::DoFHandler<dim>::active_cell_iterator;
+
+    /// Elastic dofs of the vertices of a cell.
+    void get_elastic_dofs(const Cell &cell, Indices &dofs) const;
+
+    void number(const Fields<dim> &fields);
+
+    dealii::types::global_dof_index
+    coarse_number(const dealii::types::global_dof_index elastic) const
+    {
+      return numbers[relevant.index_within_set(elastic)];
+    }
+
     void make_constraints(const Fields<dim>      &fields,
                           const Constraints<dim> &all_constraints);
 
@@ -57,8 +80,11 @@ namespace MixedCracks
 
     std::vector<unsigned int>         vertex_dofs; // local
     std::vector<bool>                 is_at_vertex;
+    dealii::IndexSet                  relevant; // elastic dofs ...
+    Indices                           numbers;  // ... and what they are here
+    DofSets                           coarse_dofs;
     dealii::AffineConstraints<double> linear_constraints;
-    LinearAlgebra::SparseMatrix       interpolation_matrix;
+    std::unique_ptr<Epetra_CrsMatrix> interpolation_matrix;
   };
 } // namespace MixedCracks
 

@@ -45,6 +45,24 @@ namespace MixedCracks
     /// Finite strain only: at small strains nobody fills its 81 numbers.
     std::optional<FiniteTangent<dim>> finite;
   };
+
+  /// C = identity 1 + volume I (x) I, MPa: 2 mu and lambda, degraded or not.
+  struct IsotropicTangent
+  {
+    double identity;
+    double volume;
+  };
+
+  /// Entry of C as a symmetric matrix, in the numbering of SymmetricTensor.
+  template <int dim>
+  double tangent_entry(const dealii::SymmetricTensor<4, dim> &tangent,
+                       unsigned int                           row,
+                       unsigned int                           column);
+
+  /// The two constants, if C is of that form but for rounding.
+  template <int dim>
+  std::optional<IsotropicTangent>
+  isotropic_tangent(const dealii::SymmetricTensor<4, dim> &tangent);
 } // namespace MixedCracks
 
 #endif

@@ -72,6 +72,9 @@ namespace MixedCracks
     /// The boundary whose reaction is reported; empty when displacement is
     /// prescribed at points only, whose reaction it is then.
     std::string force_boundary() const;
+
+  private:
+    void check_matrix_free() const;
   };
 } // namespace MixedCracks
 

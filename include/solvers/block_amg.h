@@ -2,6 +2,7 @@
 #ifndef mixed_cracks_solvers_block_amg_h
 #define mixed_cracks_solvers_block_amg_h
 
+#include <solvers/assembled_product.h>
 #include <solvers/chebyshev.h>
 #include <solvers/linear_solver.h>
 #include <solvers/multigrid.h>
@@ -40,6 +41,12 @@ namespace MixedCracks
       return false;
     }
 
+    bool
+    needs_matrix() const override
+    {
+      return !options.is_matrix_free;
+    }
+
     unsigned int
     n_setups() const override
     {
@@ -74,6 +81,12 @@ namespace MixedCracks
                           LinearAlgebra::Vector       &solution,
                           const LinearAlgebra::Vector &right_hand_side);
 
+    const SaddlePointProduct &
+    product() const
+    {
+      return assembled ? *assembled : *system.product;
+    }
+
     bool uses_conjugate_gradients() const;
 
     /// Iterations after which a hierarchy that is not new is given up.
@@ -84,12 +97,12 @@ namespace MixedCracks
     bool                       has_pressure = false; // on any rank
     std::vector<bool>          is_displacement;
     std::unique_ptr<Multigrid> multigrid;
-    /// from coarse displacements to all; empty where multigrid works on A
-    std::unique_ptr<Epetra_CrsMatrix>  interpolation;
+    /// from coarse displacements to all; null where multigrid works on A
+    const Epetra_CrsMatrix            *interpolation = nullptr;
     std::unique_ptr<ChebyshevSmoother> smoother;
     std::unique_ptr<MassSolver>        mass_solver;
-    /// B^T at the time of the set-up; empty without a pressure
-    std::unique_ptr<Epetra_CrsMatrix> coupling;
+    /// of LinearSystem::matrix, if there is one
+    std::unique_ptr<AssembledProduct> assembled;
     LinearAlgebra::Vector             row_scale;
     double                            matrix_diagonal      = 0.; // mean, of A
     bool                              is_old               = false;

@@ -2,7 +2,8 @@
 #ifndef mixed_cracks_solvers_chebyshev_h
 #define mixed_cracks_solvers_chebyshev_h
 
-#include <base/linear_algebra.h>
+#include <base/compat.h>
+#include <base/saddle_point_product.h>
 
 #include <deal.II/lac/precondition.h>
 
@@ -19,9 +20,10 @@ namespace MixedCracks
   {
   public:
     /// @p chosen: one entry per owned row, which unknowns are smoothed.
-    /// @p matrix must outlive this. Collective.
-    ChebyshevSmoother(const LinearAlgebra::SparseMatrix &matrix,
-                      const std::vector<bool>           &chosen);
+    /// @p product must outlive this. Collective.
+    ChebyshevSmoother(const SaddlePointProduct    &product,
+                      const LinearAlgebra::Vector &like,
+                      const std::vector<bool>     &chosen);
 
     /// Take new values of the matrix, with the old bounds of the spectrum.
     void reinit();
@@ -45,15 +47,26 @@ namespace MixedCracks
       }
     };
 
+    // what deal.II wants of a matrix
+    struct Product : public Compat::Observed
+    {
+      const SaddlePointProduct *product = nullptr;
+
+      void
+      vmult(LinearAlgebra::Vector       &result,
+            const LinearAlgebra::Vector &vector) const
+      {
+        product->vmult(result, vector);
+      }
+    };
+
     using Polynomial =
-      dealii::PreconditionChebyshev<LinearAlgebra::SparseMatrix,
-                                    LinearAlgebra::Vector,
-                                    Scaling>;
+      dealii::PreconditionChebyshev<Product, LinearAlgebra::Vector, Scaling>;
 
     double largest_eigenvalue() const;
 
-    const LinearAlgebra::SparseMatrix &matrix;
-    const std::vector<bool>            chosen;
+    Product                 product;
+    const std::vector<bool> chosen;
     /// one by the diagonal, 0 where nothing is smoothed
     std::shared_ptr<Scaling> scaling;
     Polynomial               polynomial;

@@ -4,6 +4,7 @@
 
 #include <base/linear_algebra.h>
 #include <base/registry.h>
+#include <base/saddle_point_product.h>
 #include <base/stop_request.h>
 
 #include <functional>
@@ -29,27 +30,32 @@ namespace MixedCracks
   };
 
   /// Matrices that are near to parts of the one to be solved with, or to its
-  /// Schur complement, and easier. In the numbering of the whole; rows of
-  /// other unknowns are empty.
+  /// Schur complement, and easier.
   struct AuxiliaryMatrices
   {
-    /// of a subspace of the displacements; nullptr: the matrix itself serves
+    /// of a subspace of the displacements, which has numbers of its own;
+    /// nullptr: the matrix itself serves
     const LinearAlgebra::SparseMatrix *displacement = nullptr;
-    /// from the unknowns of that subspace to all displacements
-    const LinearAlgebra::SparseMatrix *interpolation = nullptr;
-    /// one entry per owned row: whether it is an unknown of the subspace
+    /// from the unknowns of that subspace to all; other rows are empty
+    const Epetra_CrsMatrix *interpolation = nullptr;
+    /// one entry per owned row of the whole: whether it is an unknown of the
+    /// subspace; in their order
     const std::vector<bool> *is_coarse = nullptr;
-    /// positive definite; nullptr where there is no pressure
+    /// in the numbering of the whole, rows of displacements empty; positive
+    /// definite; nullptr where there is no pressure
     const LinearAlgebra::SparseMatrix *pressure = nullptr;
   };
 
   /// A matrix with what an iterative solver wants to know about its
-  /// unknowns. Direct solvers need the first two members only.
+  /// unknowns. Direct solvers need matrix and symmetry only.
   struct LinearSystem
   {
-    /// must outlive the solver; its values may change, its pattern not
-    const LinearAlgebra::SparseMatrix *matrix   = nullptr;
-    MatrixSymmetry                     symmetry = MatrixSymmetry::none;
+    /// must outlive the solver; its values may change, its pattern not.
+    /// nullptr for a solver that needs none.
+    const LinearAlgebra::SparseMatrix *matrix = nullptr;
+    /// the same as a product, for such a solver
+    const SaddlePointProduct *product  = nullptr;
+    MatrixSymmetry            symmetry = MatrixSymmetry::none;
     /// components of the displacement; those of one node follow each other
     unsigned int n_components = 1;
     /// one entry per owned row; the others are displacements
@@ -78,6 +84,8 @@ namespace MixedCracks
     /// it needs at most this times the iterations it needed at first; 0:
     /// always a new one.
     double tolerated_growth = 1.3;
+    /// whether the matrix is a product only, see LinearSystem
+    bool is_matrix_free = false;
   };
 
   /// Solves with one matrix, many times. Collective.
@@ -106,6 +114,13 @@ namespace MixedCracks
 
     /// Whether factors are expensive, and good for many exact solutions.
     virtual bool is_direct() const = 0;
+
+    /// Whether LinearSystem::matrix is used, or LinearSystem::product.
+    virtual bool
+    needs_matrix() const
+    {
+      return true;
+    }
 
     /// How often factors or hierarchies were computed.
     virtual unsigned int n_setups() const = 0;

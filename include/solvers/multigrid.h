@@ -64,7 +64,7 @@ namespace MixedCracks
   public:
     /// @p matrix: the components of a node follow each other. @p modes: the
     /// coarse functions, one vector of the owned rows each.
-    Multigrid(std::unique_ptr<Epetra_CrsMatrix>       matrix,
+    Multigrid(std::shared_ptr<const Epetra_CrsMatrix> matrix,
               const MultigridOptions                 &options,
               const std::vector<std::vector<double>> &modes);
     ~Multigrid();
@@ -76,7 +76,7 @@ namespace MixedCracks
     double operator_complexity() const;
 
   private:
-    std::unique_ptr<Epetra_CrsMatrix>                    matrix;
+    std::shared_ptr<const Epetra_CrsMatrix>              matrix;
     std::unique_ptr<ML_Epetra::MultiLevelPreconditioner> cycle;
   };
 

@@ -6,6 +6,7 @@
 #include <assembly/auxiliary_matrices.h>
 #include <assembly/elastic_potential.h>
 #include <assembly/fluid_assembler.h>
+#include <assembly/matrix_free_elastic.h>
 #include <assembly/normal_loads.h>
 #include <assembly/point_forces.h>
 
@@ -247,6 +248,7 @@ namespace MixedCracks
     AssembledAuxiliaries<dim>     auxiliaries;
     std::vector<bool>             pressure_dofs; // owned ones, in order
     LinearAlgebra::SparseMatrix   matrix;
+    MatrixFreeElastic<dim>        matrix_free; // one of the two is used
     std::unique_ptr<LinearSolver> solver; // lives shorter than the matrix
     LinearAlgebra::Vector         iterate;
     LinearAlgebra::Vector         full_residual;

@@ -169,7 +169,7 @@ namespace MixedCracks
   {
     for (unsigned int cell = 0; cell < cells->n_cells(); ++cell)
     {
-      elastic_kernel.reinit(cells->geometry(cell), (*constants)[cell]);
+      elastic_kernel.reinit_points((*constants)[cell]);
       elastic_kernel.set_points(tangent.of_matrix(cell));
       body(cell, cells->geometry(cell), elastic_kernel.point_responses());
     }

@@ -161,9 +161,38 @@ namespace MixedCracks
 
 
 
+    // The same with C = a 1 + b I (x) I, a tenth of the work:
+    //   b d_d L_a d_e L_b + a/2 (d_e L_a d_d L_b + delta_de grad L_a . grad
+    //   L_b)
+    template <int dim>
+    void
+    add_isotropic_stiffness(const IsotropicTangent  &tangent,
+                            const double             weight,
+                            const ScalarShapes<dim> &shapes,
+                            const unsigned int       q,
+                            FullMatrix<double>      &local)
+    {
+      const double half   = 0.5 * weight * tangent.identity;
+      const double volume = weight * tangent.volume;
+      for (unsigned int b = 0; b < shapes.size(); ++b)
+        for (unsigned int a = 0; a <= b; ++a)
+        {
+          const Tensor<1, dim> &of_a   = shapes.gradient(a, q);
+          const Tensor<1, dim> &of_b   = shapes.gradient(b, q);
+          const double          shared = half * (of_a * of_b);
+          for (unsigned int d = 0; d < dim; ++d)
+            for (unsigned int e = 0; e < dim; ++e)
+              local(dim * a + d, dim * b + e) += volume * of_a[d] * of_b[e] +
+                                                 half * of_a[e] * of_b[d] +
+                                                 (d == e ? shared : 0.);
+        }
+    }
+
+
+
     // The stiffness of linear displacements at point q with a tangent that the
     // weight of the point is part of; rows are numbered component by component
-    // for each vertex.
+    // for each vertex. Of the symmetric matrix the blocks a <= b.
     template <int dim, typename Tangent>
     void
     add_stiffness(const Tangent           &tangent,
@@ -176,7 +205,7 @@ namespace MixedCracks
         {
           const Tensor<2, dim> stress =
             stress_of_shape(tangent, shapes.gradient(b, q), e);
-          for (unsigned int a = 0; a < shapes.size(); ++a)
+          for (unsigned int a = 0; a <= b; ++a)
           {
             const Tensor<1, dim> force = stress * shapes.gradient(a, q);
             for (unsigned int d = 0; d < dim; ++d)
@@ -203,8 +232,8 @@ namespace MixedCracks
   void
   AssembledAuxiliaries<dim>::reinit()
   {
-    const DofSets &dofs      = fields.elastic_dofs;
-    const auto     make_zero = [&](const std::vector<Indices>      &cells,
+    const auto make_zero = [&](const DofSets                   &dofs,
+                               const std::vector<Indices>      &cells,
                                const AffineConstraints<double> &among,
                                LinearAlgebra::SparseMatrix     &matrix) {
       LinearAlgebra::SparsityPattern pattern(
@@ -218,11 +247,15 @@ namespace MixedCracks
       linear_displacements.reinit(fields, constraints);
     read_cells();
     if (has_displacement())
-      make_zero(
-        vertex_dofs, linear_displacements.constraints(), displacement_matrix);
+      make_zero(linear_displacements.dofs(),
+                vertex_dofs,
+                linear_displacements.constraints(),
+                displacement_matrix);
     if (fields.layout.mixed)
-      make_zero(
-        pressure_dofs, constraints.elastic_corrections(), pressure_matrix);
+      make_zero(fields.elastic_dofs,
+                pressure_dofs,
+                constraints.elastic_corrections(),
+                pressure_matrix);
   }
 
 
@@ -299,12 +332,19 @@ namespace MixedCracks
                       shapes,
                       q,
                       local);
+      else if (const auto isotropic =
+                 isotropic_tangent(responses[q].stress_by_strain))
+        add_isotropic_stiffness(
+          *isotropic, geometry.weights[q], shapes, q, local);
       else
         add_stiffness(SymmetricTensor<4, dim>(geometry.weights[q] *
                                               responses[q].stress_by_strain),
                       shapes,
                       q,
                       local);
+    for (unsigned int i = 0; i < local.m(); ++i)
+      for (unsigned int j = dim * (i / dim + 1); j < local.n(); ++j)
+        local(j, i) = local(i, j);
     linear_displacements.constraints().distribute_local_to_global(
       local, vertex_dofs[cell], displacement_matrix);
   }

@@ -46,16 +46,6 @@ namespace MixedCracks
         F[d][d] += 1.;
       return (now.gradient - then.gradient).norm() / F.norm();
     }
-
-
-
-    template <int dim>
-    bool
-    same_tangent(const ElasticPoint<dim> &a, const ElasticPoint<dim> &b)
-    {
-      return a.degradation == b.degradation &&
-             a.tangent_regime == b.tangent_regime && a.tangent_regime >= 0;
-    }
   } // namespace
 
 
@@ -67,9 +57,10 @@ namespace MixedCracks
   {
     n_points = n_points_per_cell;
     states.resize(std::size_t(n_cells) * n_points);
+    matrix_states.clear();
     // no degradation is as far off as this one
-    matrix_states.assign(states.size(),
-                         {{}, 0., std::numeric_limits<double>::max(), -1});
+    matrix_marks.assign(states.size(),
+                        {std::numeric_limits<double>::max(), -1});
     n_corrections = most_corrections;
   }
 
@@ -92,7 +83,8 @@ namespace MixedCracks
   ElasticTangent<dim>::compare(const unsigned int cell,
                                TangentDistance   &distance) const
   {
-    const ElasticPoint<dim> *now = present(cell), *then = of_matrix(cell);
+    const ElasticPoint<dim> *now  = present(cell);
+    const Mark              *then = &matrix_marks[std::size_t(cell) * n_points];
     for (unsigned int q = 0; q < n_points; ++q)
     {
       distance.degradation =
@@ -101,10 +93,13 @@ namespace MixedCracks
                    std::max(std::min(now[q].degradation, then[q].degradation),
                             std::numeric_limits<double>::min()));
       if (now[q].tangent_regime == tangent_of_finite_strain)
-        distance.deformation = std::max(distance.deformation,
-                                        change_of_deformation(now[q], then[q]));
+        distance.deformation =
+          matrix_states.empty()
+            ? std::numeric_limits<double>::infinity()
+            : std::max(distance.deformation,
+                       change_of_deformation(now[q], of_matrix(cell)[q]));
       else if (now[q].tangent_regime < 0 ||
-               now[q].tangent_regime != then[q].tangent_regime)
+               now[q].tangent_regime != then[q].regime)
         distance.regime_changes += 1.;
     }
   }
@@ -119,8 +114,12 @@ namespace MixedCracks
     for (std::size_t at = 0; at < states.size(); at += n_points)
       if (!std::equal(states.begin() + at,
                       states.begin() + at + n_points,
-                      matrix_states.begin() + at,
-                      same_tangent<dim>))
+                      matrix_marks.begin() + at,
+                      [](const ElasticPoint<dim> &point, const Mark &mark) {
+                        return point.degradation == mark.degradation &&
+                               point.tangent_regime == mark.regime &&
+                               mark.regime >= 0;
+                      }))
         result.push_back(at / n_points);
     return result;
   }
@@ -140,9 +139,13 @@ namespace MixedCracks
 
   template <int dim>
   void
-  ElasticTangent<dim>::note_matrix(const bool was_corrected)
+  ElasticTangent<dim>::note_matrix(const bool was_corrected,
+                                   const bool keeps_points)
   {
-    matrix_states = states;
+    if (keeps_points)
+      matrix_states = states;
+    for (std::size_t i = 0; i < states.size(); ++i)
+      matrix_marks[i] = {states[i].degradation, states[i].tangent_regime};
     n_corrections = was_corrected ? n_corrections + 1 : 0;
   }
 

@@ -42,9 +42,10 @@ namespace MixedCracks
                                const MaterialDescription &material)
   {
     if (material.residual_stiffness == 0. &&
-        parameters.solver.name == "block AMG")
-      throw InputError("Linear solver/Name: found 'block AMG' with "
-                       "Model/Residual stiffness = " +
+        (parameters.solver.name == "block AMG" ||
+         parameters.solver.name == "matrix-free"))
+      throw InputError("Linear solver/Name: found '" + parameters.solver.name +
+                       "' with Model/Residual stiffness = " +
                        parameters.model.residual_stiffness +
                        ", which is 0: broken cells then have no stiffness, and "
                        "multigrid needs some. Allowed are direct, auto, or a "

@@ -65,6 +65,26 @@ namespace MixedCracks
 
 
 
+  // What products without a matrix lack.
+  template <int dim>
+  void
+  Parameters<dim>::check_matrix_free() const
+  {
+    if (solver.name != "matrix-free")
+      return;
+    if (!model.mixed())
+      throw InputError("Linear solver/Name: found 'matrix-free' with "
+                       "Model/Formulation = displacement. Allowed are direct, "
+                       "block AMG and auto, or Formulation = mixed.");
+    if (model.strain.is_finite() && !boundary_conditions.pressures().empty())
+      throw InputError(
+        "Linear solver/Name: found 'matrix-free' with Model/Strains = finite "
+        "and Boundary conditions/Pressure, which follows the boundary and has "
+        "a part of the matrix. Allowed are direct, block AMG and auto.");
+  }
+
+
+
   template <int dim>
   void
   Parameters<dim>::check() const
@@ -103,6 +123,7 @@ namespace MixedCracks
                        "cracks are known in 2-d only. Load stepping/Stop when "
                        "force falls below ends a run in 3-d.");
     solver.check();
+    check_matrix_free();
     output.check();
     crack_opening.check();
     point_displacements.check();

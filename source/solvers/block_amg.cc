@@ -47,8 +47,9 @@ namespace MixedCracks
   namespace
   {
     // directions FGMRES keeps before it starts anew
-    constexpr unsigned int restart       = 100;
-    const char *const      asked_to_stop = "block AMG was asked to stop";
+    constexpr unsigned int restart             = 100;
+    constexpr unsigned int matrix_free_restart = 32;
+    const char *const      asked_to_stop       = "block AMG was asked to stop";
     // a few iterations say nothing about a hierarchy
     constexpr unsigned int always_tolerated = 4;
 
@@ -98,7 +99,7 @@ namespace MixedCracks
     void
     vmult(Vector &result, const Vector &source) const
     {
-      solver.system.matrix->vmult(result, source);
+      solver.product().vmult(result, source);
       result.scale(solver.row_scale);
     }
 
@@ -127,7 +128,8 @@ namespace MixedCracks
         solver.mass_solver->vmult(pressures.data(), fluxes.data());
         for (double &pressure : pressures)
           pressure *= -1.;
-        multiply(*solver.coupling, displacements.data(), pressures.data());
+        solver.product().pressure_forces(displacements.data(),
+                                         pressures.data());
         for (std::size_t k = 0; k < forces.size(); ++k)
           forces[k] -= displacements[k];
       }
@@ -135,15 +137,19 @@ namespace MixedCracks
       {
         coarse_forces.resize(solver.interpolation->DomainMap().NumMyElements());
         coarse_displacements.resize(coarse_forces.size());
+        spread(forces, solver.is_displacement, whole);
         multiply(*solver.interpolation,
                  coarse_forces.data(),
-                 forces.data(),
+                 whole.data(),
                  /*transposed=*/true);
         solver.multigrid->vmult(coarse_displacements.data(),
                                 coarse_forces.data());
-        multiply(*solver.interpolation,
-                 displacements.data(),
-                 coarse_displacements.data());
+        multiply(
+          *solver.interpolation, whole.data(), coarse_displacements.data());
+        displacements.clear();
+        for (std::size_t i = 0; i < whole.size(); ++i)
+          if (solver.is_displacement[i])
+            displacements.push_back(whole[i]);
       }
       else
         solver.multigrid->vmult(displacements.data(), forces.data());
@@ -168,6 +174,18 @@ namespace MixedCracks
                                                          : r[i] / scale[i]);
     }
 
+    // part -> chosen rows, 0 elsewhere
+    static void
+    spread(const std::vector<double> &part,
+           const std::vector<bool>   &chosen,
+           std::vector<double>       &whole)
+    {
+      whole.assign(chosen.size(), 0.);
+      for (std::size_t i = 0, next = 0; i < chosen.size(); ++i)
+        if (chosen[i])
+          whole[i] = part[next++];
+    }
+
     void
     put_together(const Vector &source, Vector &result) const
     {
@@ -187,7 +205,7 @@ namespace MixedCracks
 
     const BlockAmgSolver       &solver;
     mutable std::vector<double> forces, fluxes, displacements, pressures;
-    mutable std::vector<double> coarse_forces, coarse_displacements;
+    mutable std::vector<double> whole, coarse_forces, coarse_displacements;
   };
 
 
@@ -210,13 +228,15 @@ namespace MixedCracks
     GrowingVectorMemory<Vector>::release_unused_memory();
     is_displacement = system.is_pressure;
     is_displacement.flip();
-    row_scale.reinit(system.matrix->locally_owned_range_indices(),
-                     system.matrix->get_mpi_communicator());
     const bool any =
       std::find(system.is_pressure.begin(), system.is_pressure.end(), true) !=
       system.is_pressure.end();
+    if (needs_matrix())
+      AssembledProduct(*system.matrix, {}).reinit(row_scale);
+    else
+      system.product->reinit(row_scale);
     has_pressure =
-      Utilities::MPI::max(any ? 1 : 0, system.matrix->get_mpi_communicator());
+      Utilities::MPI::max(any ? 1 : 0, row_scale.get_mpi_communicator());
     return {};
   }
 
@@ -248,7 +268,15 @@ namespace MixedCracks
     const Preconditioner preconditioner(*this);
     try
     {
-      if (!uses_conjugate_gradients())
+      if (options.is_matrix_free)
+      {
+        // half of the vectors of FGMRES; the preconditioner is always the same
+        using Gmres = SolverGMRES<Vector>;
+        Gmres solver(control,
+                     typename Gmres::AdditionalData(matrix_free_restart, true));
+        solver.solve(matrix, solution, scaled, preconditioner);
+      }
+      else if (!uses_conjugate_gradients())
       {
         SolverFGMRES<Vector> solver(
           control, typename SolverFGMRES<Vector>::AdditionalData(restart));
@@ -343,7 +371,8 @@ namespace MixedCracks
   {
     return uses_conjugate_gradients()
              ? "conjugate gradients with smoothed aggregation"
-             : "FGMRES with smoothed aggregation";
+           : options.is_matrix_free ? "GMRES with matrix-free products"
+                                    : "FGMRES with smoothed aggregation";
   }
 
 

@@ -11,9 +11,12 @@
 // between the vertices, modes that the coarse space lacks and whose eigenvalues
 // are among the upper ones. Linear displacements need 1 only, with P = 1.
 
+#include <base/memory.h>
+
 #include <deal.II/base/mpi.h>
 
-#include <Epetra_Vector.h>
+#include <deal.II/lac/vector_memory.h>
+
 #include <solvers/block_amg.h>
 
 #include <cmath>
@@ -39,23 +42,21 @@ namespace MixedCracks
 
 
 
-    // (1/n) sum_i a_ii or (1/n) sum_i 1/a_ii over the chosen rows of all ranks
+    // (1/n) sum_i d_i or (1/n) sum_i 1/d_i over the chosen rows of all ranks
     double
-    mean_diagonal(const Epetra_CrsMatrix  &matrix,
-                  const std::vector<bool> &chosen,
-                  const bool               inverse,
-                  const MPI_Comm           communicator)
+    mean(const Vector            &diagonal,
+         const std::vector<bool> &chosen,
+         const bool               inverse)
     {
-      Epetra_Vector diagonal(matrix.RowMap());
-      matrix.ExtractDiagonalCopy(diagonal);
       std::vector<double> sums(2, 0.);
+      const double       *entries = diagonal.begin();
       for (std::size_t i = 0; i < chosen.size(); ++i)
         if (chosen[i])
         {
-          sums[0] += inverse ? 1. / diagonal[i] : diagonal[i];
+          sums[0] += inverse ? 1. / entries[i] : entries[i];
           sums[1] += 1.;
         }
-      Utilities::MPI::sum(sums, communicator, sums);
+      Utilities::MPI::sum(sums, diagonal.get_mpi_communicator(), sums);
       return sums[0] / sums[1];
     }
   } // namespace
@@ -66,10 +67,16 @@ namespace MixedCracks
   BlockAmgSolver::drop_hierarchy()
   {
     multigrid.reset();
-    interpolation.reset();
+    interpolation = nullptr;
     smoother.reset();
     mass_solver.reset();
-    coupling.reset();
+    assembled.reset();
+    if (options.is_matrix_free)
+    {
+      // the next hierarchy would be added to what this one leaves
+      GrowingVectorMemory<Vector>::release_unused_memory();
+      return_free_memory();
+    }
   }
 
 
@@ -77,17 +84,14 @@ namespace MixedCracks
   void
   BlockAmgSolver::set_up_pressure(const LinearAlgebra::SparseMatrix &mass)
   {
-    const Epetra_CrsMatrix &all = system.matrix->trilinos_matrix();
-    coupling    = extract_block(all, is_displacement, system.is_pressure);
     mass_solver = std::make_unique<MassSolver>(extract_block(
       mass.trilinos_matrix(), system.is_pressure, system.is_pressure));
+    Vector diagonal(row_scale);
+    AssembledProduct(mass, {}).diagonal(diagonal);
     // broken cells have large entries: the mean of the inverses is that of
     // the intact ones
     const double scale =
-      std::sqrt(matrix_diagonal * mean_diagonal(mass.trilinos_matrix(),
-                                                system.is_pressure,
-                                                true,
-                                                mass.get_mpi_communicator()));
+      std::sqrt(matrix_diagonal * mean(diagonal, system.is_pressure, true));
     for (std::size_t i = 0; i < system.is_pressure.size(); ++i)
       if (system.is_pressure[i])
         row_scale.begin()[i] = scale;
@@ -104,9 +108,9 @@ namespace MixedCracks
     for (std::size_t i = 0; i < chosen.size(); ++i)
       if (system.is_constrained[i])
         chosen[i] = false;
-    smoother      = std::make_unique<ChebyshevSmoother>(*system.matrix, chosen);
-    interpolation = extract_block(
-      auxiliary.interpolation->trilinos_matrix(), is_displacement, coarse);
+    smoother =
+      std::make_unique<ChebyshevSmoother>(product(), row_scale, chosen);
+    interpolation = auxiliary.interpolation;
     for (std::vector<double> &mode : modes)
     {
       std::size_t next = 0, next_coarse = 0;
@@ -119,10 +123,11 @@ namespace MixedCracks
         }
       mode.resize(next_coarse);
     }
+    // it stays until the next set-up has dropped the hierarchy
+    const std::shared_ptr<const Epetra_CrsMatrix> matrix(
+      std::shared_ptr<void>(), &auxiliary.displacement->trilinos_matrix());
     multigrid = std::make_unique<Multigrid>(
-      extract_block(auxiliary.displacement->trilinos_matrix(), coarse, coarse),
-      on_the_coarse_level(system.n_components),
-      modes);
+      matrix, on_the_coarse_level(system.n_components), modes);
   }
 
 
@@ -131,6 +136,10 @@ namespace MixedCracks
   BlockAmgSolver::set_up()
   {
     drop_hierarchy();
+    if (needs_matrix())
+      assembled = std::make_unique<AssembledProduct>(
+        *system.matrix,
+        has_pressure ? system.is_pressure : std::vector<bool>());
     const AuxiliaryMatrices          auxiliary = system.auxiliary();
     std::vector<std::vector<double>> modes     = system.rigid_body_modes();
     if (auxiliary.displacement == nullptr)
@@ -141,10 +150,9 @@ namespace MixedCracks
         modes);
     else
       set_up_two_levels(auxiliary, modes);
-    matrix_diagonal = mean_diagonal(system.matrix->trilinos_matrix(),
-                                    is_displacement,
-                                    false,
-                                    system.matrix->get_mpi_communicator());
+    Vector diagonal(row_scale);
+    product().diagonal(diagonal);
+    matrix_diagonal = mean(diagonal, is_displacement, false);
     row_scale       = 1.;
     if (has_pressure)
       set_up_pressure(*auxiliary.pressure);

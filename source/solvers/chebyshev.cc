@@ -14,7 +14,6 @@
 // the rest. deal.II's own search for lambda_max begins with a constant vector,
 // nearly a rigid motion, which has hardly anything of that eigenvector.
 
-#include <Epetra_Vector.h>
 #include <solvers/chebyshev.h>
 
 #include <cmath>
@@ -37,21 +36,20 @@ namespace MixedCracks
 
 
 
-  ChebyshevSmoother::ChebyshevSmoother(
-    const LinearAlgebra::SparseMatrix &matrix,
-    const std::vector<bool>           &chosen)
-    : matrix(matrix)
-    , chosen(chosen)
+  ChebyshevSmoother::ChebyshevSmoother(const SaddlePointProduct &matrix,
+                                       const Vector             &like,
+                                       const std::vector<bool>  &chosen)
+    : chosen(chosen)
     , scaling(std::make_shared<Scaling>())
   {
-    scaling->factors.reinit(matrix.locally_owned_range_indices(),
-                            matrix.get_mpi_communicator());
+    product.product = &matrix;
+    scaling->factors.reinit(like, true);
     reinit();
     Polynomial::AdditionalData options(
       degree, safety_of_the_largest * smoothed_range, 0);
     options.max_eigenvalue = safety_of_the_largest * largest_eigenvalue();
     options.preconditioner = scaling;
-    polynomial.initialize(matrix, options);
+    polynomial.initialize(product, options);
   }
 
 
@@ -59,10 +57,12 @@ namespace MixedCracks
   void
   ChebyshevSmoother::reinit()
   {
-    Epetra_Vector diagonal(matrix.trilinos_matrix().RowMap());
-    matrix.trilinos_matrix().ExtractDiagonalCopy(diagonal);
+    product.product->diagonal(scaling->factors);
     for (std::size_t i = 0; i < chosen.size(); ++i)
-      scaling->factors.begin()[i] = chosen[i] ? 1. / diagonal[i] : 0.;
+    {
+      double &entry = scaling->factors.begin()[i];
+      entry         = chosen[i] ? 1. / entry : 0.;
+    }
   }
 
 
@@ -79,7 +79,7 @@ namespace MixedCracks
     for (unsigned int k = 0; k < n_power_iterations; ++k)
     {
       vector /= vector.l2_norm();
-      matrix.vmult(image, vector);
+      product.vmult(image, vector);
       scaling->vmult(vector, image);
       eigenvalue = vector.l2_norm();
     }

@@ -47,6 +47,17 @@ namespace MixedCracks
         [](
           const LinearSolverOptions &options) -> std::unique_ptr<LinearSolver> {
           return std::make_unique<BlockAmgSolver>(options);
+        }},
+       {"matrix-free",
+        "block AMG without its largest matrix: products with it are integrated "
+        "cell by cell each time, and multigrid has the matrix of linear "
+        "displacements only. Mixed formulation. The least memory, and in 3-d "
+        "the least time",
+        [](
+          const LinearSolverOptions &options) -> std::unique_ptr<LinearSolver> {
+          LinearSolverOptions matrix_free = options;
+          matrix_free.is_matrix_free      = true;
+          return std::make_unique<BlockAmgSolver>(matrix_free);
         }}});
     return list;
   }

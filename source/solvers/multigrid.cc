@@ -207,7 +207,7 @@ namespace MixedCracks
 
 
 
-  Multigrid::Multigrid(std::unique_ptr<Epetra_CrsMatrix>       new_matrix,
+  Multigrid::Multigrid(std::shared_ptr<const Epetra_CrsMatrix> new_matrix,
                        const MultigridOptions                 &options,
                        const std::vector<std::vector<double>> &modes)
     : matrix(std::move(new_matrix))

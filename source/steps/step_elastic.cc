@@ -38,6 +38,7 @@ namespace MixedCracks
     , solver_options(solver_parameters.linear)
     , stop(std::move(stop))
     , auxiliaries(fields, constraints)
+    , matrix_free(fields, constraints)
     , potential(fields, constraints, assembler)
     , follower(fields,
                assembler.is_finite() ? this->loads.pressures
@@ -58,8 +59,15 @@ namespace MixedCracks
     const DofSets &dofs = fields.elastic_dofs;
     if (solver)
       solver->release();
-    make_sparse_matrix(
-      fields.elastic, dofs, constraints.elastic_corrections(), matrix);
+    choose_solver();
+    if (solver->needs_matrix())
+      make_sparse_matrix(
+        fields.elastic, dofs, constraints.elastic_corrections(), matrix);
+    else
+    {
+      matrix.clear();
+      matrix_free.reinit();
+    }
     if (assembler.is_finite())
       potential.reinit();
     for (Vector *vector :
@@ -74,7 +82,6 @@ namespace MixedCracks
       for (const auto dof : pressure)
         pressure_dofs[dofs.owned.index_within_set(dof)] = true;
     }
-    choose_solver();
     return solver->initialize(describe_system());
   }
 
@@ -99,7 +106,10 @@ namespace MixedCracks
   ElasticStep<dim>::describe_system()
   {
     LinearSystem system;
-    system.matrix = &matrix;
+    if (solver->needs_matrix())
+      system.matrix = &matrix;
+    else
+      system.product = &matrix_free;
     // at finite strain it is symmetric but need not be positive definite
     const bool is_symmetric = assembler.elastic_matrix_is_symmetric() &&
                               !follower.any() &&

@@ -139,8 +139,13 @@ namespace MixedCracks
       return {};
     {
       TimerOutput::Scope scope(timer, "assembly");
-      assembler.elastic_matrix(constraints.elastic_corrections(), matrix);
-      follower.add_tangent(constraints.elastic_corrections(), matrix);
+      if (solver->needs_matrix())
+      {
+        assembler.elastic_matrix(constraints.elastic_corrections(), matrix);
+        follower.add_tangent(constraints.elastic_corrections(), matrix);
+      }
+      else
+        matrix_free.update(assembler);
     }
     if (ask_to_stop("assembly of the matrix"))
       return {false, 0, asked_to_stop};

@@ -10,7 +10,8 @@
 //
 //   studies: sizes (uniform meshes), adaptive, incompressibility (lambda/mu),
 //            damage (kappa, intact to broken), orderings (of MUMPS),
-//            beside (both solvers on uniform meshes, one row for both)
+//            beside (both solvers on uniform meshes, one row for both),
+//            products (block AMG with its matrix and without)
 //   --dim 2|3  --largest UNKNOWNS  --smallest UNKNOWNS  --displacement
 //   --solver "block AMG"|direct|both  --worst (broken through, kappa = 1e-6)
 //   --tolerance 1e-8  --random (right hand side)
@@ -143,8 +144,9 @@ namespace
     ElasticSystem<dim> system(options);
     if (arguments.random)
       randomize(system);
-    for (const std::string name : {"block AMG", "direct"})
-      if (arguments.solver == name || arguments.solver == "both")
+    for (const std::string name : {"block AMG", "direct", "matrix-free"})
+      if (arguments.solver == name ||
+          (arguments.solver == "both" && name != "matrix-free"))
         print_row(system, measure<dim>(name, system, arguments.tolerance));
   }
 
@@ -184,6 +186,8 @@ namespace
     options.refinements = refinements_for(arguments, arguments.largest);
     options.kappa       = arguments.worst ? 1e-6 : 1e-4;
     options.damage      = arguments.worst ? Damage::through : Damage::half;
+    options.matrix_free = arguments.solver == "matrix-free";
+    options.with_matrix = !options.matrix_free;
     return options;
   }
 
@@ -240,6 +244,59 @@ namespace
         direct.solve,
         amg.peak,
         direct.peak));
+    }
+  }
+
+
+
+  // Block AMG with its matrix and without, from a state to the correction:
+  // matrix or tangents, hierarchy, solution; memory with that of the matrix.
+  template <int dim>
+  void
+  study_products(const Arguments &arguments)
+  {
+    ElasticSystemOptions options = basic(arguments);
+    const unsigned int   last    = options.refinements;
+    for (options.refinements = refinements_for(arguments, arguments.smallest);
+         options.refinements <= last;
+         ++options.refinements)
+    {
+      options.with_matrix = options.matrix_free = false;
+      for (const bool matrix_free : {false, true})
+      {
+        if (!matrix_free && arguments.solver == "matrix-free")
+          continue;
+        ElasticSystem<dim> system(options);
+        forget_peak();
+        const Memory before        = memory();
+        system.options.matrix_free = matrix_free;
+        system.options.with_matrix = !matrix_free;
+        const double      pattern  = seconds_of([&]() {
+          system.make_operator();
+          system.make_auxiliaries();
+        });
+        const double      values   = seconds_of([&]() { system.assemble(); });
+        const Measurement measured =
+          measure<dim>(matrix_free ? "matrix-free" : "block AMG",
+                       system,
+                       arguments.tolerance);
+        const Memory after = memory();
+        const double kB    = 1024. / system.fields.elastic.n_dofs();
+        print(format(
+          "| %d-d, %u | %u | %s | %u | %.2f | %.2f | %.2f | %.2f | %.2f | "
+          "%.2f |",
+          dim,
+          static_cast<unsigned int>(system.fields.elastic.n_dofs()),
+          dealii::Utilities::MPI::n_mpi_processes(MPI_COMM_WORLD),
+          matrix_free ? "matrix-free" : "block AMG",
+          measured.iterations,
+          pattern,
+          values,
+          measured.analysis + measured.setup,
+          measured.solve,
+          values + measured.analysis + measured.setup + measured.solve,
+          (after.peak - before.resident) * kB));
+      }
     }
   }
 
@@ -317,6 +374,11 @@ namespace
       return "| dim | ranks | unknowns | ordering | used | entries of factors "
              "| analysis, s | factorisation, s | solve, s | |\n"
              "|---|---|---|---|---|---|---|---|---|---|";
+    if (study == "products")
+      return "| unknowns | ranks | solver | iterations | pattern, s | matrix or "
+             "tangents and two residuals, s | set-up, s | solve, s | without "
+             "pattern, s | peak kB |\n"
+             "|---|---|---|---:|---:|---:|---:|---:|---:|---:|";
     if (study == "beside")
       return "| unknowns | ranks | iterations | AMG set-up | AMG solve | MUMPS "
              "analysis | factors | solve | AMG peak kB | MUMPS peak kB |\n"
@@ -340,6 +402,8 @@ namespace
       study_sizes<dim>(arguments, dim == 2 ? 4 : 2);
     else if (arguments.study == "beside")
       study_beside<dim>(arguments);
+    else if (arguments.study == "products")
+      study_products<dim>(arguments);
     else if (arguments.study == "incompressibility")
       study_incompressibility<dim>(arguments);
     else if (arguments.study == "damage")

@@ -6,6 +6,7 @@
 #define mixed_cracks_tests_unit_elastic_system_h
 
 #include <assembly/auxiliary_matrices.h>
+#include <assembly/matrix_free_elastic.h>
 
 #include <deal.II/base/function_lib.h>
 #include <deal.II/distributed/tria.h>
@@ -45,6 +46,9 @@ namespace MixedCracks
       std::string  density         = "AT2";
       std::string  split           = "volumetric-deviatoric";
       std::string  law             = "relaxed bulk";
+      Strains      strains         = Strains::small;
+      bool         with_matrix     = true;
+      bool         matrix_free     = false; ///< as a product
       /// of the pressure, hence the regime of the split
       std::function<double(double x)> pressure = [](double) { return 1.; };
     };
@@ -68,19 +72,42 @@ namespace MixedCracks
                                 dim,
                                 options.density,
                                 options.split,
-                                options.law})
+                                options.law,
+                                "quadratic",
+                                options.strains})
         , auxiliaries(fields, constraints)
+        , matrix_free(fields, constraints)
       {
         make_mesh();
         fields.distribute();
         constraints.reinit();
         assembler = std::make_unique<Assembler<dim>>(fields, material);
         assembler->reinit();
-        make_sparse_matrix(fields.elastic,
-                           fields.elastic_dofs,
-                           constraints.elastic_corrections(),
-                           matrix);
+        make_operator();
         assemble();
+      }
+
+      /// Pattern of the matrix, or what products need to know of the mesh.
+      void
+      make_operator()
+      {
+        if (options.with_matrix)
+          make_sparse_matrix(fields.elastic,
+                             fields.elastic_dofs,
+                             constraints.elastic_corrections(),
+                             matrix);
+        if (options.matrix_free)
+          matrix_free.reinit();
+      }
+
+      /// For the state of the last residual.
+      void
+      update_operator()
+      {
+        if (options.with_matrix)
+          assembler->elastic_matrix(constraints.elastic_corrections(), matrix);
+        if (options.matrix_free)
+          matrix_free.update(*assembler);
       }
 
       /// The matrix where everything is stretched, for a phase field that is
@@ -93,7 +120,7 @@ namespace MixedCracks
         const auto  &hanging = constraints.elastic_hanging_nodes();
         right_hand_side      = fields.owned_vector(fields.elastic_dofs);
         assembler->elastic_residual(stretched(), phi, hanging, right_hand_side);
-        assembler->elastic_matrix(constraints.elastic_corrections(), matrix);
+        update_operator();
         assembler->elastic_residual(lifted(), phi, hanging, right_hand_side);
         constraints.drop_prescribed(right_hand_side);
         right_hand_side *= -1.;
@@ -104,6 +131,7 @@ namespace MixedCracks
       {
         LinearSystem result;
         result.matrix       = &matrix;
+        result.product      = &matrix_free;
         result.symmetry     = assembler->elastic_matrix_is_symmetric()
                                 ? MatrixSymmetry::symmetric
                                 : MatrixSymmetry::none;
@@ -140,10 +168,16 @@ namespace MixedCracks
       void
       assemble_auxiliaries()
       {
+        make_auxiliaries();
+        auxiliaries.assemble(*assembler);
+      }
+
+      void
+      make_auxiliaries()
+      {
         if (!auxiliaries_are_there)
           auxiliaries.reinit();
         auxiliaries_are_there = true;
-        auxiliaries.assemble(*assembler);
       }
 
       /// Distance to the broken part of the plane, mm.
@@ -167,13 +201,14 @@ namespace MixedCracks
         return result;
       }
 
-      const ElasticSystemOptions                        options;
+      ElasticSystemOptions                              options;
       dealii::parallel::distributed::Triangulation<dim> triangulation;
       Fields<dim>                                       fields;
       Constraints<dim>                                  constraints;
       const Material<dim>                               material;
       std::unique_ptr<Assembler<dim>>                   assembler;
       AssembledAuxiliaries<dim>                         auxiliaries;
+      MatrixFreeElastic<dim>                            matrix_free;
       LinearAlgebra::SparseMatrix                       matrix;
       Vector                                            right_hand_side;
 

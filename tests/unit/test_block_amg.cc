@@ -339,30 +339,28 @@ namespace
   {
     ElasticSystem<dim> system(options);
     system.assemble_auxiliaries();
-    const auto &coarse      = system.auxiliaries.coarse();
-    const auto &corrections = system.constraints.elastic_corrections();
-    const auto &at_vertices = coarse.at_vertices();
-    Vector      values = system.fields.owned_vector(system.fields.elastic_dofs);
-    const auto  owned  = values.locally_owned_elements();
-    const auto  is_free = [&](const std::size_t i) {
-      return at_vertices[i] &&
-             !coarse.constraints().is_constrained(owned.nth_index_in_set(i));
-    };
+    const auto  &coarse = system.auxiliaries.coarse();
+    Vector       values = system.fields.owned_vector(coarse.dofs());
+    const auto   owned  = values.locally_owned_elements();
     unsigned int n_free = 0;
-    for (std::size_t i = 0; i < at_vertices.size(); ++i)
-      if (is_free(i))
+    for (std::size_t i = 0; i < owned.n_elements(); ++i)
+      if (!coarse.constraints().is_constrained(owned.nth_index_in_set(i)))
       {
         values.begin()[i] = std::sin(1. + owned.nth_index_in_set(i));
         ++n_free;
       }
     EXPECT_GT(n_free, 10u);
-    Vector fine(values), image(values), expected(values), found(values);
-    coarse.interpolation().vmult(fine, values);
+    Vector fine = system.fields.owned_vector(system.fields.elastic_dofs);
+    Vector image(fine), expected(values), found(values);
+    multiply(coarse.interpolation(), fine.begin(), values.begin());
     // constrained nodes follow in the matrix itself
     system.matrix.vmult(image, fine);
-    coarse.interpolation().Tvmult(expected, image);
+    multiply(coarse.interpolation(),
+             expected.begin(),
+             image.begin(),
+             /*transposed=*/true);
     system.auxiliaries.displacement().vmult(found, values);
-    corrections.set_zero(found);
+    coarse.constraints().set_zero(found);
     const double size = expected.linfty_norm();
     EXPECT_GT(size, 0.1);
     found.add(-1., expected);
@@ -401,12 +399,12 @@ TEST(AuxiliaryMatrices, InterpolateLinearDisplacementsExactly)
        },
        [](const dealii::Point<2> &) { return 0.; }}),
     exact);
-  Vector     vertices(exact), found(exact);
-  const auto owned = exact.locally_owned_elements();
+  Vector              found(exact);
+  std::vector<double> vertices;
   for (std::size_t i = 0; i < coarse.at_vertices().size(); ++i)
-    if (!coarse.at_vertices()[i])
-      vertices.begin()[i] = 0.;
-  coarse.interpolation().vmult(found, vertices);
+    if (coarse.at_vertices()[i])
+      vertices.push_back(exact.begin()[i]);
+  multiply(coarse.interpolation(), found.begin(), vertices.data());
   system.constraints.elastic_corrections().set_zero(exact);
   EXPECT_GT(exact.linfty_norm(), 0.5);
   found.add(-1., exact);

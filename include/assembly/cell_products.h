@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#ifndef mixed_cracks_assembly_cell_products_h
+#define mixed_cracks_assembly_cell_products_h
+
+#include <deal.II/base/quadrature.h>
+
+#include <deal.II/dofs/dof_handler.h>
+
+#include <deal.II/fe/mapping.h>
+
+#include <deal.II/lac/affine_constraints.h>
+
+#include <model/elastic_response.h>
+
+#include <memory>
+#include <vector>
+
+namespace MixedCracks
+{
+  /// Products with the elastic matrix cell by cell, several cells at a time in
+  /// the lanes of vector registers (deal.II's MatrixFree). Vectors are arrays
+  /// of the owned unknowns in ascending order. Constrained ones are read by
+  /// their constraints, and their own entry of a result is 0. Collective.
+  template <int dim>
+  class CellProducts
+  {
+  public:
+    virtual ~CellProducts() = default;
+
+    /// At the quadrature points of owned cell number @p cell, in the order of
+    /// the active cells. To be called for all of them, then compress().
+    virtual void
+    set_tangents(unsigned int                             cell,
+                 const std::vector<ElasticResponse<dim>> &responses) = 0;
+
+    virtual void compress() = 0;
+
+    /// (u, p) -> K (u, p)
+    virtual void multiply(double *result, const double *source) const = 0;
+
+    /// (., p) -> (B^T p, 0)
+    virtual void pressure_forces(double       *result,
+                                 const double *source) const = 0;
+
+    /// Of the displacements; that of pressures is 0. What a hanging node adds
+    /// to the nodes that it depends on is taken linear in their weights.
+    virtual void diagonal(double *result) const = 0;
+
+    virtual unsigned int n_lanes() const = 0;
+
+    virtual std::size_t memory_consumption() const = 0;
+  };
+
+  /// For Q2 displacements with Q1 pressures; @p lanes cells at a time. Only
+  /// where this processor has so many.
+  template <int dim, int lanes>
+  std::unique_ptr<CellProducts<dim>> make_cell_products_with_lanes(
+    const dealii::Mapping<dim>              &mapping,
+    const dealii::DoFHandler<dim>           &handler,
+    const dealii::AffineConstraints<double> &constraints);
+
+  /// With as many lanes as this processor has.
+  template <int dim>
+  std::unique_ptr<CellProducts<dim>>
+  make_cell_products(const dealii::Mapping<dim>              &mapping,
+                     const dealii::DoFHandler<dim>           &handler,
+                     const dealii::AffineConstraints<double> &constraints);
+} // namespace MixedCracks
+
+#endif

@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#ifndef mixed_cracks_assembly_matrix_free_elastic_h
+#define mixed_cracks_assembly_matrix_free_elastic_h
+
+#include <assembly/assembler.h>
+#include <assembly/cell_products.h>
+
+#include <base/saddle_point_product.h>
+
+#include <discretization/constraints.h>
+
+namespace MixedCracks
+{
+  /// The elastic matrix that Assembler::elastic_matrix() would make, as a
+  /// product: cells are integrated anew each time, with the tangents at the
+  /// quadrature points, which are all that is stored. Mixed formulation only.
+  /// Collective.
+  template <int dim>
+  class MatrixFreeElastic : public SaddlePointProduct
+  {
+  public:
+    MatrixFreeElastic(const Fields<dim>      &fields,
+                      const Constraints<dim> &constraints);
+
+    /// To be called when the mesh changed.
+    void reinit();
+
+    /// Take the state of the last Assembler::elastic_residual().
+    void update(Assembler<dim> &assembler);
+
+    void
+    reinit(LinearAlgebra::Vector &vector) const override
+    {
+      vector.reinit(fields.elastic_dofs.owned, fields.communicator());
+    }
+
+    void vmult(LinearAlgebra::Vector       &result,
+               const LinearAlgebra::Vector &source) const override;
+
+    void pressure_forces(double       *forces,
+                         const double *pressures) const override;
+
+    void diagonal(LinearAlgebra::Vector &result) const override;
+
+    /// Cells that are integrated at a time.
+    unsigned int
+    n_lanes() const
+    {
+      return cells->n_lanes();
+    }
+
+    /// Bytes of this rank.
+    std::size_t
+    memory_consumption() const
+    {
+      return cells->memory_consumption();
+    }
+
+  private:
+    const Fields<dim>                 &fields;
+    const Constraints<dim>            &constraints;
+    std::unique_ptr<CellProducts<dim>> cells;
+    /// positions of owned displacements and pressures
+    std::vector<unsigned int> displacements, pressures;
+    std::vector<unsigned int> constrained;
+    /// what stands on the diagonal where nothing else does, N/mm^dim
+    double                      constrained_diagonal = 1.;
+    std::vector<double>         diagonal_entries;
+    mutable std::vector<double> source_values, result_values;
+  };
+} // namespace MixedCracks
+
+#endif

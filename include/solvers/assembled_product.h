@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#ifndef mixed_cracks_solvers_assembled_product_h
+#define mixed_cracks_solvers_assembled_product_h
+
+#include <base/saddle_point_product.h>
+
+#include <Epetra_CrsMatrix.h>
+
+#include <memory>
+#include <vector>
+
+namespace MixedCracks
+{
+  /// Products with a stored matrix, which must outlive this.
+  class AssembledProduct : public SaddlePointProduct
+  {
+  public:
+    /// @p is_pressure: one entry per owned row; empty where no rank has any.
+    AssembledProduct(const LinearAlgebra::SparseMatrix &matrix,
+                     const std::vector<bool>           &is_pressure);
+
+    void
+    reinit(LinearAlgebra::Vector &vector) const override
+    {
+      vector.reinit(matrix.locally_owned_range_indices(),
+                    matrix.get_mpi_communicator());
+    }
+
+    void
+    vmult(LinearAlgebra::Vector       &result,
+          const LinearAlgebra::Vector &source) const override
+    {
+      matrix.vmult(result, source);
+    }
+
+    /// With the B^T of the construction.
+    void pressure_forces(double       *forces,
+                         const double *pressures) const override;
+
+    void diagonal(LinearAlgebra::Vector &result) const override;
+
+  private:
+    const LinearAlgebra::SparseMatrix &matrix;
+    std::unique_ptr<Epetra_CrsMatrix>  coupling;
+  };
+} // namespace MixedCracks
+
+#endif

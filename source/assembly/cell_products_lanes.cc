@@ -1,0 +1,511 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// Integrals over cells with the elastic tangent, by deal.II's MatrixFree. What
+// is kept of a tangent is said in lane_tangents.h; at a point
+//
+//   small strain   sigma = C : eps + s p I,   constraint = t tr eps + c p,
+//   finite strain  P = A : H + K p,           constraint = K : H + c p,
+//
+// with H = grad u, A = dP/dH and K = dP/dp, are tested with eps(N) or grad N,
+// and with M.
+//
+// The diagonal: with e_i the unit vectors,
+//
+//   A_(ai,ai) = sum_q w_q  eps(N_a e_i) : C : eps(N_a e_i),
+//
+// a (|grad N_a|^2 + (d_i N_a)^2)/2 + b (d_i N_a)^2 where C is isotropic, grad
+// N_a . A_(i.i.) . grad N_a at finite strain.
+
+// deal.II of most distributions is compiled for plain x86-64 and has one lane.
+// Its templates have more where this file is compiled for a processor that has
+// them: MIXED_CRACKS_LANES = 4 doubles with AVX2 (CMakeLists.txt).
+#include <deal.II/base/config.h>
+#ifndef MIXED_CRACKS_LANES
+#  define MIXED_CRACKS_LANES 1
+#endif
+#if MIXED_CRACKS_LANES > 1
+#  undef DEAL_II_VECTORIZATION_WIDTH_IN_BITS
+#  define DEAL_II_VECTORIZATION_WIDTH_IN_BITS (64 * MIXED_CRACKS_LANES)
+#endif
+
+#include <assembly/cell_products.h>
+#include <assembly/lane_tangents.h>
+
+#include <deal.II/fe/fe_q.h>
+
+#include <deal.II/lac/la_parallel_vector.h>
+
+#include <deal.II/matrix_free/fe_evaluation.h>
+#include <deal.II/matrix_free/matrix_free.h>
+#if MIXED_CRACKS_LANES > 1
+#  include <deal.II/matrix_free/evaluation_template_factory.templates.h>
+#  include <deal.II/matrix_free/evaluation_template_factory_hanging_nodes.templates.h>
+#  include <deal.II/matrix_free/mapping_info.templates.h>
+#  include <deal.II/matrix_free/mapping_info_storage.templates.h>
+#  include <deal.II/matrix_free/matrix_free.templates.h>
+#  include <deal.II/matrix_free/shape_info.templates.h>
+// has the guard of another one
+#  undef dealii_matrix_free_evaluation_template_factory_templates_h
+#  include <deal.II/matrix_free/evaluation_template_face_factory.templates.h>
+#endif
+
+#include <algorithm>
+#include <array>
+#include <type_traits>
+
+namespace MixedCracks
+{
+  using namespace dealii;
+
+  namespace
+  {
+    // (i, j) -> C_(ij) sum over pairs i <= j: y_i += C_(ij) x_j and y_j +=
+    // C_(ij) x_i; returns what follows the triangle
+    template <std::size_t n, typename Lanes>
+    const Lanes *
+    multiply_triangle(const Lanes                *triangle,
+                      const std::array<Lanes, n> &x,
+                      std::array<Lanes, n>       &y)
+    {
+      for (std::size_t i = 0; i < n; ++i)
+        y[i] = 0.;
+      for (std::size_t i = 0; i < n; ++i)
+      {
+        y[i] += *triangle++ * x[i];
+        for (std::size_t j = i + 1; j < n; ++j, ++triangle)
+        {
+          y[i] += *triangle * x[j];
+          y[j] += *triangle * x[i];
+        }
+      }
+      return triangle;
+    }
+
+
+
+    // Stress and constraint of grad u and p, with the numbers of a point.
+    template <TangentKind kind, int dim, typename Lanes>
+    void
+    respond(const Lanes                 *numbers,
+            const Tensor<2, dim, Lanes> &gradient,
+            const Lanes                 &pressure,
+            Tensor<2, dim, Lanes>       &stress,
+            Lanes                       &constraint)
+    {
+      if constexpr (kind == TangentKind::finite)
+      {
+        std::array<Lanes, dim * dim> in, out;
+        for (unsigned int i = 0; i < dim * dim; ++i)
+          in[i] = gradient[i / dim][i % dim];
+        numbers    = multiply_triangle(numbers, in, out);
+        constraint = numbers[dim * dim] * pressure;
+        for (unsigned int i = 0; i < dim * dim; ++i)
+        {
+          stress[i / dim][i % dim] = out[i] + numbers[i] * pressure;
+          constraint += numbers[i] * in[i];
+        }
+        return;
+      }
+      const Lanes volume = trace(gradient);
+      if constexpr (kind == TangentKind::symmetric)
+      {
+        // C : eps has both of a pair of shear strains
+        constexpr unsigned int n = dim * (dim + 1) / 2;
+        std::array<Lanes, n>   in, out;
+        for (unsigned int i = 0; i < n; ++i)
+        {
+          const auto at =
+            SymmetricTensor<2, dim>::unrolled_to_component_indices(i);
+          in[i] = i < dim ? gradient[i][i]
+                          : gradient[at[0]][at[1]] + gradient[at[1]][at[0]];
+        }
+        numbers = multiply_triangle(numbers, in, out);
+        for (unsigned int i = 0; i < n; ++i)
+        {
+          const auto at =
+            SymmetricTensor<2, dim>::unrolled_to_component_indices(i);
+          stress[at[0]][at[1]] = stress[at[1]][at[0]] = out[i];
+        }
+      }
+      else
+      {
+        for (unsigned int i = 0; i < dim; ++i)
+          for (unsigned int j = 0; j < dim; ++j)
+            stress[i][j] = 0.5 * numbers[0] * (gradient[i][j] + gradient[j][i]);
+        for (unsigned int i = 0; i < dim; ++i)
+          stress[i][i] += numbers[1] * volume;
+        numbers += 2;
+      }
+      for (unsigned int i = 0; i < dim; ++i)
+        stress[i][i] += numbers[0] * pressure;
+      constraint = numbers[1] * volume + numbers[2] * pressure;
+    }
+
+
+
+    template <int dim, int lanes>
+    class MatrixFreeProducts : public CellProducts<dim>
+    {
+    public:
+      using Lanes  = VectorizedArray<double, lanes>;
+      using Free   = MatrixFree<dim, double, Lanes>;
+      using Vector = dealii::LinearAlgebra::distributed::Vector<double>;
+
+      MatrixFreeProducts(const Mapping<dim>              &mapping,
+                         const DoFHandler<dim>           &handler,
+                         const AffineConstraints<double> &constraints)
+      {
+        typename Free::AdditionalData data;
+        data.tasks_parallel_scheme = Free::AdditionalData::none;
+        data.mapping_update_flags  = update_gradients | update_JxW_values;
+        free.reinit(mapping, handler, constraints, QGauss<1>(3), data);
+        free.initialize_dof_vector(source_vector);
+        free.initialize_dof_vector(result_vector);
+        number_cells(handler);
+        reference_gradients(FE_Q<dim>(2));
+      }
+
+      void
+      set_tangents(const unsigned int                       cell,
+                   const std::vector<ElasticResponse<dim>> &responses) override
+      {
+        tangents.set(cell, responses);
+      }
+
+      void
+      compress() override
+      {
+        tangents.compress();
+      }
+
+      void
+      multiply(double *result, const double *source) const override
+      {
+        read(source);
+        free.cell_loop(&MatrixFreeProducts::integrate,
+                       this,
+                       result_vector,
+                       source_vector,
+                       true);
+        write(result);
+      }
+
+      void
+      pressure_forces(double *result, const double *source) const override
+      {
+        read(source);
+        free.cell_loop(&MatrixFreeProducts::integrate_pressure_forces,
+                       this,
+                       result_vector,
+                       source_vector,
+                       true);
+        write(result);
+      }
+
+      void
+      diagonal(double *result) const override
+      {
+        source_vector = 0.;
+        free.cell_loop(&MatrixFreeProducts::integrate_diagonal,
+                       this,
+                       result_vector,
+                       source_vector,
+                       true);
+        write(result);
+      }
+
+      unsigned int
+      n_lanes() const override
+      {
+        return lanes;
+      }
+
+      std::size_t
+      memory_consumption() const override
+      {
+        return free.memory_consumption() +
+               2 * source_vector.memory_consumption() +
+               tangents.memory_consumption();
+      }
+
+    private:
+      using Displacement = FEEvaluation<dim, 2, 3, dim, double, Lanes>;
+      using Pressure     = FEEvaluation<dim, 1, 3, 1, double, Lanes>;
+      using Range        = std::pair<unsigned int, unsigned int>;
+
+      static constexpr unsigned int n_points = Utilities::pow(3, dim);
+      static constexpr unsigned int n_nodes  = Utilities::pow(3, dim);
+
+      void
+      number_cells(const DoFHandler<dim> &handler)
+      {
+        std::vector<unsigned int> owned(
+          handler.get_triangulation().n_active_cells());
+        unsigned int n_owned = 0;
+        for (const auto &cell : handler.active_cell_iterators())
+          if (cell->is_locally_owned())
+            owned[cell->active_cell_index()] = n_owned++;
+        std::vector<typename LaneTangents<dim, Lanes>::Place> places(n_owned);
+        for (unsigned int batch = 0; batch < free.n_cell_batches(); ++batch)
+          for (unsigned int lane = 0;
+               lane < free.n_active_entries_per_cell_batch(batch);
+               ++lane)
+            places[owned[free.get_cell_iterator(batch, lane)
+                           ->active_cell_index()]] = {batch, lane};
+        tangents.reinit(free.n_cell_batches(), n_points, places);
+      }
+
+      void
+      reference_gradients(const FE_Q<dim> &element)
+      {
+        const auto lexicographic = element.get_poly_space_numbering_inverse();
+        const QGauss<dim> quadrature(3);
+        for (unsigned int q = 0; q < n_points; ++q)
+          for (unsigned int a = 0; a < n_nodes; ++a)
+            gradients.push_back(
+              element.shape_grad(lexicographic[a], quadrature.point(q)));
+      }
+
+      void
+      read(const double *source) const
+      {
+        std::copy(source,
+                  source + source_vector.locally_owned_size(),
+                  source_vector.begin());
+      }
+
+      void
+      write(double *result) const
+      {
+        std::copy(result_vector.begin(),
+                  result_vector.begin() + result_vector.locally_owned_size(),
+                  result);
+      }
+
+      void integrate(const Free   &free,
+                     Vector       &result,
+                     const Vector &source,
+                     const Range  &range) const;
+
+      void integrate_pressure_forces(const Free   &free,
+                                     Vector       &result,
+                                     const Vector &source,
+                                     const Range  &range) const;
+
+      void integrate_diagonal(const Free   &free,
+                              Vector       &result,
+                              const Vector &source,
+                              const Range  &range) const;
+
+      template <TangentKind kind>
+      void
+      respond_at_points(unsigned int batch, Displacement &u, Pressure &p) const;
+
+      /// Of shape function a at point q, the weight of the point included.
+      template <TangentKind kind>
+      void add_to_diagonal(const Lanes                 *numbers,
+                           const Lanes                 &weight,
+                           const Tensor<1, dim, Lanes> &gradient,
+                           Lanes                       *sums) const;
+
+      /// Call body with the kind of a batch as a constant.
+      template <typename Body>
+      void
+      by_kind(const unsigned int batch, const Body &body) const
+      {
+        using Isotropic =
+          std::integral_constant<TangentKind, TangentKind::isotropic>;
+        using Symmetric =
+          std::integral_constant<TangentKind, TangentKind::symmetric>;
+        using Finite = std::integral_constant<TangentKind, TangentKind::finite>;
+        const TangentKind kind = tangents.kind(batch);
+        if (kind == TangentKind::isotropic)
+          body(Isotropic());
+        else if (kind == TangentKind::symmetric)
+          body(Symmetric());
+        else
+          body(Finite());
+      }
+
+      Free                     free;
+      LaneTangents<dim, Lanes> tangents;
+      /// of the shape functions, point by point, on the reference cell
+      std::vector<Tensor<1, dim>> gradients;
+      mutable Vector              source_vector, result_vector;
+    };
+
+
+
+    template <int dim, int lanes>
+    template <TangentKind kind>
+    void
+    MatrixFreeProducts<dim, lanes>::respond_at_points(const unsigned int batch,
+                                                      Displacement      &u,
+                                                      Pressure &p) const
+    {
+      const Lanes *numbers = tangents.numbers(batch);
+      for (unsigned int q = 0; q < n_points; ++q)
+      {
+        Tensor<2, dim, Lanes> stress;
+        Lanes                 constraint;
+        respond<kind>(
+          numbers, u.get_gradient(q), p.get_value(q), stress, constraint);
+        u.submit_gradient(stress, q);
+        p.submit_value(constraint, q);
+        numbers += LaneTangents<dim, Lanes>::n_numbers(kind);
+      }
+    }
+
+
+
+    template <int dim, int lanes>
+    void
+    MatrixFreeProducts<dim, lanes>::integrate(const Free   &free,
+                                              Vector       &result,
+                                              const Vector &source,
+                                              const Range  &range) const
+    {
+      Displacement u(free, 0, 0, 0);
+      Pressure     p(free, 0, 0, dim);
+      for (unsigned int batch = range.first; batch < range.second; ++batch)
+      {
+        u.reinit(batch);
+        p.reinit(batch);
+        u.gather_evaluate(source, EvaluationFlags::gradients);
+        p.gather_evaluate(source, EvaluationFlags::values);
+        by_kind(batch,
+                [&](const auto kind) { respond_at_points<kind>(batch, u, p); });
+        u.integrate_scatter(EvaluationFlags::gradients, result);
+        p.integrate_scatter(EvaluationFlags::values, result);
+      }
+    }
+
+
+
+    template <int dim, int lanes>
+    void
+    MatrixFreeProducts<dim, lanes>::integrate_pressure_forces(
+      const Free   &free,
+      Vector       &result,
+      const Vector &source,
+      const Range  &range) const
+    {
+      Displacement u(free, 0, 0, 0);
+      Pressure     p(free, 0, 0, dim);
+      for (unsigned int batch = range.first; batch < range.second; ++batch)
+      {
+        u.reinit(batch);
+        p.reinit(batch);
+        p.gather_evaluate(source, EvaluationFlags::values);
+        by_kind(batch, [&](const auto kind) {
+          const Lanes *numbers = tangents.numbers(batch);
+          for (unsigned int q = 0; q < n_points; ++q)
+          {
+            constexpr unsigned int n =
+              LaneTangents<dim, Lanes>::n_numbers(kind);
+            if constexpr (kind == TangentKind::finite)
+            {
+              const Lanes          *coupling = numbers + n - dim * dim - 1;
+              Tensor<2, dim, Lanes> stress;
+              for (unsigned int i = 0; i < dim * dim; ++i)
+                stress[i / dim][i % dim] = coupling[i] * p.get_value(q);
+              u.submit_gradient(stress, q);
+            }
+            else
+              u.submit_divergence(numbers[n - 3] * p.get_value(q), q);
+            numbers += n;
+          }
+        });
+        u.integrate_scatter(EvaluationFlags::gradients, result);
+      }
+    }
+
+
+
+    template <int dim, int lanes>
+    template <TangentKind kind>
+    void
+    MatrixFreeProducts<dim, lanes>::add_to_diagonal(
+      const Lanes                 *numbers,
+      const Lanes                 &weight,
+      const Tensor<1, dim, Lanes> &gradient,
+      Lanes                       *sums) const
+    {
+      if constexpr (kind == TangentKind::isotropic)
+      {
+        const Lanes half = 0.5 * weight * numbers[0];
+        const Lanes both = half * gradient.norm_square();
+        const Lanes own  = half + weight * numbers[1];
+        for (unsigned int d = 0; d < dim; ++d)
+          sums[d * n_nodes] += both + own * (gradient[d] * gradient[d]);
+        return;
+      }
+      for (unsigned int d = 0; d < dim; ++d)
+      {
+        Tensor<2, dim, Lanes> unit, stress;
+        Lanes                 constraint;
+        unit[d] = gradient;
+        respond<kind>(numbers, unit, Lanes(0.), stress, constraint);
+        sums[d * n_nodes] += weight * (stress[d] * gradient);
+      }
+    }
+
+
+
+    template <int dim, int lanes>
+    void
+    MatrixFreeProducts<dim, lanes>::integrate_diagonal(const Free &free,
+                                                       Vector     &result,
+                                                       const Vector &,
+                                                       const Range &range) const
+    {
+      Displacement u(free, 0, 0, 0);
+      for (unsigned int batch = range.first; batch < range.second; ++batch)
+      {
+        u.reinit(batch);
+        Lanes *sums = u.begin_dof_values();
+        std::fill(sums, sums + dim * n_nodes, Lanes(0.));
+        by_kind(batch, [&](const auto kind) {
+          const Lanes *numbers = tangents.numbers(batch);
+          for (unsigned int q = 0; q < n_points; ++q)
+          {
+            const Tensor<2, dim, Lanes> inverse = u.inverse_jacobian(q);
+            for (unsigned int a = 0; a < n_nodes; ++a)
+            {
+              Tensor<1, dim, Lanes> gradient;
+              for (unsigned int d = 0; d < dim; ++d)
+                for (unsigned int e = 0; e < dim; ++e)
+                  gradient[d] += inverse[d][e] * gradients[q * n_nodes + a][e];
+              add_to_diagonal<kind>(numbers, u.JxW(q), gradient, sums + a);
+            }
+            numbers += LaneTangents<dim, Lanes>::n_numbers(kind);
+          }
+        });
+        u.distribute_local_to_global(result);
+      }
+    }
+  } // namespace
+
+
+
+  template <int dim, int lanes>
+  std::unique_ptr<CellProducts<dim>>
+  make_cell_products_with_lanes(const Mapping<dim>              &mapping,
+                                const DoFHandler<dim>           &handler,
+                                const AffineConstraints<double> &constraints)
+  {
+    return std::make_unique<MatrixFreeProducts<dim, lanes>>(
+      mapping, handler, constraints);
+  }
+
+
+
+#define INSTANTIATE(dim)                                  \
+  template std::unique_ptr<CellProducts<dim>>             \
+  make_cell_products_with_lanes<dim, MIXED_CRACKS_LANES>( \
+    const Mapping<dim> &,                                 \
+    const DoFHandler<dim> &,                              \
+    const AffineConstraints<double> &);
+  INSTANTIATE(2)
+  INSTANTIATE(3)
+#undef INSTANTIATE
+} // namespace MixedCracks

@@ -1,0 +1,180 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// Products without a matrix against those with it, and the solver that is
+// built on them against the direct one.
+#include "elastic_system.h"
+
+#include <base/log.h>
+
+#include <solvers/assembled_product.h>
+#include <solvers/direct_solver.h>
+
+#include <gtest/gtest.h>
+
+using namespace MixedCracks;
+using namespace MixedCracks::Testing;
+
+namespace
+{
+  using Vector = LinearAlgebra::Vector;
+
+  Vector
+  some_vector(const Vector &like, const int seed)
+  {
+    Vector     result(like);
+    const auto owned = like.locally_owned_elements();
+    for (const auto i : owned)
+      result(i) = std::sin(1. + 3. * i + seed) + 0.3 * std::cos(0.01 * i);
+    result.compress(dealii::VectorOperation::insert);
+    return result;
+  }
+
+  // Of all rows but constrained ones, relative to the largest.
+  template <int dim>
+  double
+  difference(const ElasticSystem<dim> &system, const Vector &a, const Vector &b)
+  {
+    Vector rest(a), size(b);
+    rest -= b;
+    system.constraints.elastic_corrections().set_zero(rest);
+    system.constraints.elastic_corrections().set_zero(size);
+    return rest.linfty_norm() / size.linfty_norm();
+  }
+
+  // K x, B^T p and the diagonal
+  template <int dim>
+  void
+  expect_products_of_matrix(ElasticSystemOptions options)
+  {
+    options.matrix_free = true;
+    ElasticSystem<dim>     system(options);
+    const LinearSystem     described = system.system();
+    const AssembledProduct assembled(system.matrix, described.is_pressure);
+    Vector                 expected(system.right_hand_side), found(expected);
+    for (const int seed : {0, 1})
+    {
+      const Vector source = some_vector(expected, seed);
+      assembled.vmult(expected, source);
+      system.matrix_free.vmult(found, source);
+      EXPECT_LT(difference(system, found, expected), 1e-13);
+    }
+    std::vector<double> pressures, forces, expected_forces;
+    const Vector        source = some_vector(expected, 2);
+    for (std::size_t i = 0; i < described.is_pressure.size(); ++i)
+      if (described.is_pressure[i])
+        pressures.push_back(described.is_constrained[i] ? 0.
+                                                        : source.begin()[i]);
+    forces.resize(described.is_pressure.size() - pressures.size());
+    expected_forces = forces;
+    assembled.pressure_forces(expected_forces.data(), pressures.data());
+    system.matrix_free.pressure_forces(forces.data(), pressures.data());
+    for (std::size_t i = 0; i < forces.size(); ++i)
+      EXPECT_NEAR(forces[i], expected_forces[i], 1e-13);
+    assembled.diagonal(expected);
+    system.matrix_free.diagonal(found);
+    for (std::size_t i = 0; i < described.is_pressure.size(); ++i)
+      if (!described.is_pressure[i] && !described.is_constrained[i])
+      {
+        // beside hanging nodes what is linear in the weights
+        const double ratio = found.begin()[i] / expected.begin()[i];
+        EXPECT_GT(ratio, options.adaptive_levels == 0 ? 1. - 1e-12 : 0.5);
+        EXPECT_LT(ratio, options.adaptive_levels == 0 ? 1. + 1e-12 : 2.5);
+      }
+  }
+} // namespace
+
+
+
+TEST(MatrixFree, IsTheMatrixOnUniformMeshes)
+{
+  for (const double kappa : {1e-2, 1e-6})
+  {
+    ElasticSystemOptions options;
+    options.kappa = kappa;
+    expect_products_of_matrix<2>(options);
+    options.refinements = 2;
+    expect_products_of_matrix<3>(options);
+  }
+}
+
+
+
+TEST(MatrixFree, IsTheMatrixWithHangingNodes)
+{
+  ElasticSystemOptions options;
+  options.refinements     = 2;
+  options.adaptive_levels = 2;
+  expect_products_of_matrix<2>(options);
+  options.refinements = 1;
+  expect_products_of_matrix<3>(options);
+}
+
+
+
+TEST(MatrixFree, IsTheMatrixOfEverySplitAndLaw)
+{
+  for (const std::string &split : all_energy_splits<3>().names())
+    for (const std::string &law : all_pressure_laws().names())
+    {
+      SCOPED_TRACE(split + ", " + law);
+      ElasticSystemOptions options;
+      options.refinements = 2;
+      options.split       = split;
+      options.law         = law;
+      options.pressure    = [](const double x) { return x - 0.3; };
+      expect_products_of_matrix<2>(options);
+      options.refinements     = 1;
+      options.adaptive_levels = 1;
+      expect_products_of_matrix<3>(options);
+    }
+}
+
+
+
+TEST(MatrixFree, IsTheMatrixAtFiniteStrain)
+{
+  for (const std::string &split : all_finite_splits().names())
+    for (const std::string &law : all_finite_pressure_laws().names())
+    {
+      SCOPED_TRACE(split + ", " + law);
+      ElasticSystemOptions options;
+      options.refinements     = 1;
+      options.adaptive_levels = 1;
+      options.split           = split;
+      options.law             = law;
+      options.strains         = Strains::finite;
+      options.kappa           = 1e-3;
+      expect_products_of_matrix<2>(options);
+      expect_products_of_matrix<3>(options);
+    }
+}
+
+
+
+TEST(MatrixFree, SolvesWhatTheDirectSolverSolves)
+{
+  for (const unsigned int adaptive_levels : {0, 1})
+  {
+    ElasticSystemOptions options;
+    options.refinements     = 2;
+    options.adaptive_levels = adaptive_levels;
+    options.lambda          = 1e3;
+    options.kappa           = 1e-4;
+    options.matrix_free     = true;
+    ElasticSystem<3> system(options);
+    DirectSolver     direct;
+    Vector           expected(system.right_hand_side), found(expected);
+    ASSERT_TRUE(direct.initialize(system.system()).success);
+    ASSERT_TRUE(direct.factorize().success);
+    ASSERT_TRUE(direct.solve(expected, system.right_hand_side).success);
+    const auto   solver  = all_linear_solvers().make("matrix-free", {});
+    LinearSystem without = system.system();
+    without.matrix       = nullptr;
+    ASSERT_TRUE(solver->initialize(without).success);
+    ASSERT_TRUE(solver->factorize().success);
+    const LinearOutcome outcome =
+      solver->solve(found, system.right_hand_side, 1e-10);
+    EXPECT_TRUE(outcome.success) << outcome.reason;
+    EXPECT_LE(outcome.iterations, 40u);
+    EXPECT_LT(difference(system, found, expected), 1e-6);
+  }
+}
