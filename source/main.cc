@@ -19,7 +19,6 @@
 
 #include <simulation/case_identity.h>
 #include <simulation/simulation.h>
-#include <simulation/time_tables.h>
 
 #include <Trilinos_version.h>
 
@@ -214,17 +213,7 @@ namespace
   {
     Parameters<dim>          parameters;
     dealii::ParameterHandler prm;
-    parameters.add_parameters(prm);
-    read_parameters(source, command.set, prm);
-    if (command.output)
-    {
-      prm.enter_subsection("Output");
-      prm.set("Directory", *command.output);
-      prm.leave_subsection();
-    }
-    read_time_tables(prm);
-    parameters.check();
-    require_time_tables_until(parameters.load.end_time, prm);
+    read_case(source, command, parameters, prm);
     if (command.case_id)
       return print_case_id(case_identity(parameters, prm, *command.case_id));
     std::ostringstream effective;

@@ -21,8 +21,11 @@ def environment(**more):
 
 
 def command(executable, launcher=(), ranks=1):
-    """The words before the options; without a launcher on one rank."""
-    return [*launcher, "-n", str(ranks), executable] if launcher else [executable]
+    """The words before the options. One rank needs no launcher, which would take
+    as long again as the start of the program."""
+    if launcher and int(ranks) > 1:
+        return [*launcher, "-n", str(ranks), executable]
+    return [executable]
 
 
 def as_options(settings):

@@ -2,7 +2,10 @@
 #ifndef mixed_cracks_base_coordinates_h
 #define mixed_cracks_base_coordinates_h
 
-#include <deal.II/base/tensor.h>
+#include <base/errors.h>
+#include <base/text.h>
+
+#include <deal.II/base/point.h>
 
 #include <array>
 #include <vector>
@@ -30,6 +33,25 @@ namespace MixedCracks
   {
     for (unsigned int d = 0; d < numbers.size(); ++d)
       vector[d] = numbers[d];
+  }
+
+  /// The point that @p text is, as "0, 1". Throws InputError that names
+  /// @p parameter and what was @p found, the text where nothing else is said.
+  template <int dim>
+  dealii::Point<dim>
+  read_point(const std::string &text,
+             const std::string &parameter,
+             const std::string &found = "")
+  {
+    const std::vector<double> numbers = parse_numbers(text, parameter);
+    if (numbers.size() != dim)
+      throw InputError(
+        parameter + ": found " + in_quotes(found.empty() ? text : found) +
+        ", allowed is a point of " + std::to_string(dim) + " numbers, as '" +
+        (dim == 2 ? "0, 1" : "0, 1, 2") + "'.");
+    dealii::Point<dim> point;
+    set_coordinates(numbers, point);
+    return point;
   }
 } // namespace MixedCracks
 

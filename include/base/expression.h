@@ -4,8 +4,6 @@
 
 #include <base/time_table.h>
 
-#include <deal.II/base/mu_parser_internal.h>
-
 #include <memory>
 #include <string>
 #include <vector>
@@ -14,16 +12,16 @@ namespace MixedCracks
 {
   /// A formula of a .prm in named variables, as in "-200/60*t" or "2*h". It
   /// knows the constant pi, the operators of muParser and its functions but
-  /// for random numbers, which would differ between ranks. Where t is a
-  /// variable, table("FILE") is the value at t of a table that was kept under
-  /// this name (base/time_table.h); variables and tables are four at most.
+  /// for random numbers, which would differ between ranks, and those that
+  /// deal.II has besides. Where t is a variable, table("FILE") is the value at
+  /// t of a table that was kept under this name (base/time_table.h).
   ///
   /// Copies share the compiled formula. An evaluation takes about 0.1
   /// microseconds.
   class Expression
   {
   public:
-    /// @p variables: one to four names. @p parameter: what error messages
+    /// @p variables: their names. @p parameter: what error messages
     /// call the entry, as "Subsection/Entry". Throws InputError with the
     /// text and the reason when it cannot be compiled.
     Expression(const std::string              &text,
@@ -42,30 +40,24 @@ namespace MixedCracks
     const std::string &
     text() const
     {
-      return formula;
+      return entered;
     }
 
   private:
-    /// Three coordinates and a time are as many variables as deal.II's
-    /// parser takes.
-    using Parser =
-      dealii::internal::FunctionParser::ParserImplementation<3, double>;
+    struct Formula;
 
     double evaluate(const std::vector<double> &values) const;
 
-    /// Fills the three members of tables, or says why not.
-    std::string take_tables();
+    /// What is wrong with the text, or "".
+    std::string compile();
 
-    void compile();
+    /// Likewise, with a variable in the place of each table.
+    std::string compile(const std::string &text);
 
-    std::string                   formula;
-    std::vector<std::string>      variables;
-    std::string                   parameter;
-    std::shared_ptr<const Parser> parser;
-
-    std::string              compiled; ///< the formula, tables as variables
-    std::vector<std::size_t> used;     ///< which of the variables it is given
-    std::vector<std::shared_ptr<const TimeTable>> tables;
+    std::string              entered;
+    std::vector<std::string> variables;
+    std::string              parameter;
+    std::shared_ptr<Formula> formula;
   };
 } // namespace MixedCracks
 

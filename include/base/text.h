@@ -34,6 +34,14 @@ namespace MixedCracks
   /// without empty parts.
   std::vector<std::string> split_list(const std::string &text, char separator);
 
+  /// The items of a list 'ITEM ; ITEM ; ...', each as its parts between colons,
+  /// of which @p form has as many, as in "name : point". Throws InputError that
+  /// names @p parameter, the item and the form.
+  std::vector<std::vector<std::string>>
+  read_items(const std::string &list,
+             const std::string &form,
+             const std::string &parameter);
+
   /// @p text without blanks around it and with single blanks inside, the form
   /// in which names are compared.
   std::string single_spaced(const std::string &text);

@@ -51,6 +51,25 @@ namespace MixedCracks
 
 
 
+  std::vector<std::vector<std::string>>
+  read_items(const std::string &list,
+             const std::string &form,
+             const std::string &parameter)
+  {
+    std::vector<std::vector<std::string>> items;
+    for (const std::string &item : split_list(list, ';'))
+    {
+      items.push_back(split_list(item, ':'));
+      if (items.back().size() != split_list(form, ':').size())
+        throw InputError(parameter + ": found " + in_quotes(item) +
+                         ", allowed is '" + form +
+                         "', several separated by ';'.");
+    }
+    return items;
+  }
+
+
+
   std::string
   single_spaced(const std::string &text)
   {

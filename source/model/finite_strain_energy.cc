@@ -229,83 +229,27 @@ namespace MixedCracks
 
 
 
-  template double FiniteStrain<2>::pressure(const Tensor<2, 2> &,
-                                            double,
-                                            const PointConstants &) const;
-  template double FiniteStrain<2>::driving_force(const Tensor<2, 2> &,
-                                                 double,
-                                                 double,
-                                                 const PointConstants &) const;
-  template double FiniteStrain<2>::elastic_energy(const Tensor<2, 2> &,
-                                                  double,
-                                                  double,
-                                                  const PointConstants &) const;
-  template double FiniteStrain<2>::pressure_after(double,
-                                                  double,
-                                                  double,
-                                                  const PointConstants &,
-                                                  const Tensor<2, 2> &) const;
-  template FiniteStrain<2>::Potential
-  FiniteStrain<2>::potential(const Tensor<2, 2> &,
-                             double,
-                             double,
-                             const PointConstants &) const;
-  template double
-                  FiniteStrain<2>::eliminated_energy(const Tensor<2, 2> &,
-                                     double,
-                                     const PointConstants &) const;
-  template double FiniteStrain<2>::volume_ratio(const Tensor<2, 2> &,
-                                                double,
-                                                double,
-                                                const PointConstants &) const;
-  template Tensor<2, 3>
-  FiniteStrain<2>::deformation_gradient(const Tensor<2, 2> &,
-                                        double,
-                                        double,
-                                        const PointConstants &) const;
-  template SymmetricTensor<2, 3>
-  FiniteStrain<2>::cauchy_stress(const Tensor<2, 2> &,
-                                 double,
-                                 double,
-                                 const PointConstants &) const;
-
-  template double FiniteStrain<3>::pressure(const Tensor<2, 3> &,
-                                            double,
-                                            const PointConstants &) const;
-  template double FiniteStrain<3>::driving_force(const Tensor<2, 3> &,
-                                                 double,
-                                                 double,
-                                                 const PointConstants &) const;
-  template double FiniteStrain<3>::elastic_energy(const Tensor<2, 3> &,
-                                                  double,
-                                                  double,
-                                                  const PointConstants &) const;
-  template double FiniteStrain<3>::pressure_after(double,
-                                                  double,
-                                                  double,
-                                                  const PointConstants &,
-                                                  const Tensor<2, 3> &) const;
-  template FiniteStrain<3>::Potential
-  FiniteStrain<3>::potential(const Tensor<2, 3> &,
-                             double,
-                             double,
-                             const PointConstants &) const;
-  template double
-                  FiniteStrain<3>::eliminated_energy(const Tensor<2, 3> &,
-                                     double,
-                                     const PointConstants &) const;
-  template double FiniteStrain<3>::volume_ratio(const Tensor<2, 3> &,
-                                                double,
-                                                double,
-                                                const PointConstants &) const;
-  template Tensor<2, 3>
-  FiniteStrain<3>::deformation_gradient(const Tensor<2, 3> &,
-                                        double,
-                                        double,
-                                        const PointConstants &) const;
-  template SymmetricTensor<2, 3>
-  FiniteStrain<3>::cauchy_stress(const Tensor<2, 3> &,
-                                 double,
-                                 double,
-                                 const PointConstants &) const;
+#define INSTANTIATE(dim)                                                    \
+  template double FiniteStrain<dim>::pressure(                              \
+    const Tensor<2, dim> &, double, const PointConstants &) const;          \
+  template double FiniteStrain<dim>::driving_force(                         \
+    const Tensor<2, dim> &, double, double, const PointConstants &) const;  \
+  template double FiniteStrain<dim>::elastic_energy(                        \
+    const Tensor<2, dim> &, double, double, const PointConstants &) const;  \
+  template double FiniteStrain<dim>::pressure_after(                        \
+    double, double, double, const PointConstants &, const Tensor<2, dim> &) \
+    const;                                                                  \
+  template FiniteStrain<dim>::Potential FiniteStrain<dim>::potential(       \
+    const Tensor<2, dim> &, double, double, const PointConstants &) const;  \
+  template double FiniteStrain<dim>::eliminated_energy(                     \
+    const Tensor<2, dim> &, double, const PointConstants &) const;          \
+  template double FiniteStrain<dim>::volume_ratio(                          \
+    const Tensor<2, dim> &, double, double, const PointConstants &) const;  \
+  template Tensor<2, 3> FiniteStrain<dim>::deformation_gradient(            \
+    const Tensor<2, dim> &, double, double, const PointConstants &) const;  \
+  template SymmetricTensor<2, 3> FiniteStrain<dim>::cauchy_stress(          \
+    const Tensor<2, dim> &, double, double, const PointConstants &) const;
+  INSTANTIATE(2)
+  INSTANTIATE(3)
+#undef INSTANTIATE
 } // namespace MixedCracks

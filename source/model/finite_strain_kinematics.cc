@@ -143,47 +143,19 @@ namespace MixedCracks
 
 
 
-  template double FiniteStrain<2>::share_of_law(double) const;
-  template double FiniteStrain<2>::determinant(const Tensor<2, 2> &,
-                                               double) const;
-  template double
-  FiniteStrain<2>::stretch_at_pressure(const Tensor<2, 2> &,
-                                       double,
-                                       double,
-                                       const PointConstants &) const;
-  template double
-  FiniteStrain<2>::stretch_at_constraint(const Tensor<2, 2> &,
-                                         double,
-                                         const PointConstants &) const;
-  template std::optional<Deformation>
-  FiniteStrain<2>::at_pressure(const Tensor<2, 2> &,
-                               double,
-                               double,
-                               const PointConstants &) const;
-  template std::optional<Deformation>
-  FiniteStrain<2>::at_constraint(const Tensor<2, 2> &,
-                                 double,
-                                 const PointConstants &) const;
-
-  template double FiniteStrain<3>::share_of_law(double) const;
-  template double FiniteStrain<3>::determinant(const Tensor<2, 3> &,
-                                               double) const;
-  template double
-  FiniteStrain<3>::stretch_at_pressure(const Tensor<2, 3> &,
-                                       double,
-                                       double,
-                                       const PointConstants &) const;
-  template double
-  FiniteStrain<3>::stretch_at_constraint(const Tensor<2, 3> &,
-                                         double,
-                                         const PointConstants &) const;
-  template std::optional<Deformation>
-  FiniteStrain<3>::at_pressure(const Tensor<2, 3> &,
-                               double,
-                               double,
-                               const PointConstants &) const;
-  template std::optional<Deformation>
-  FiniteStrain<3>::at_constraint(const Tensor<2, 3> &,
-                                 double,
-                                 const PointConstants &) const;
+#define INSTANTIATE(dim)                                                   \
+  template double FiniteStrain<dim>::share_of_law(double) const;           \
+  template double FiniteStrain<dim>::determinant(const Tensor<2, dim> &,   \
+                                                 double) const;            \
+  template double FiniteStrain<dim>::stretch_at_pressure(                  \
+    const Tensor<2, dim> &, double, double, const PointConstants &) const; \
+  template double FiniteStrain<dim>::stretch_at_constraint(                \
+    const Tensor<2, dim> &, double, const PointConstants &) const;         \
+  template std::optional<Deformation> FiniteStrain<dim>::at_pressure(      \
+    const Tensor<2, dim> &, double, double, const PointConstants &) const; \
+  template std::optional<Deformation> FiniteStrain<dim>::at_constraint(    \
+    const Tensor<2, dim> &, double, const PointConstants &) const;
+  INSTANTIATE(2)
+  INSTANTIATE(3)
+#undef INSTANTIATE
 } // namespace MixedCracks

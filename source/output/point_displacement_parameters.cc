@@ -67,13 +67,8 @@ namespace MixedCracks
     const std::string            parameter = name;
     std::vector<NamedPoint<dim>> result;
     std::set<std::string>        columns;
-    for (const std::string &entry : split_list(text, ';'))
+    for (const auto &parts : read_items(text, "name : point", parameter))
     {
-      const std::vector<std::string> parts = split_list(entry, ':');
-      if (parts.size() != 2)
-        throw InputError(parameter + ": found " + in_quotes(entry) +
-                         ", allowed is 'name : point', several separated by "
-                         "';'.");
       NamedPoint<dim> point{single_spaced(parts[0]), {}};
       if (!is_name(point.name))
         throw InputError(parameter + ": found the name " +
@@ -85,13 +80,7 @@ namespace MixedCracks
         throw InputError(parameter + ": found the name " +
                          in_quotes(point.name) +
                          " twice, allowed are different names.");
-      const std::vector<double> numbers = parse_numbers(parts[1], parameter);
-      if (numbers.size() != dim)
-        throw InputError(parameter + ": found " + in_quotes(parts[1]) +
-                         ", allowed is a point of " + std::to_string(dim) +
-                         " numbers, as '" + (dim == 2 ? "0, 1" : "0, 1, 2") +
-                         "'.");
-      set_coordinates(numbers, point.position);
+      point.position = read_point<dim>(parts[1], parameter);
       result.push_back(point);
     }
     return result;

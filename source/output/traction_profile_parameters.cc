@@ -46,22 +46,16 @@ namespace MixedCracks
   std::vector<std::pair<std::string, BoundaryIds>>
   TractionProfileParameters::boundaries(const NamedBoundaries &ids) const
   {
-    std::vector<std::string> names;
-    for (const auto &boundary : ids)
-      names.push_back(boundary.first);
     std::vector<std::pair<std::string, BoundaryIds>> result;
     for (const std::string &given : split_list(text, ';'))
     {
-      const std::string name  = single_spaced(given);
-      const auto        found = ids.find(name);
-      if (found == ids.end())
-        throw InputError(profiles_entry +
-                         ": boundary: " + unknown_name_message(name, names));
+      const std::string  name  = single_spaced(given);
+      const BoundaryIds &of_it = boundary_of(name, ids, profiles_entry);
       for (const auto &earlier : result)
         if (earlier.first == name)
           throw InputError(profiles_entry + ": found " + in_quotes(name) +
                            " twice, allowed are different boundaries.");
-      result.emplace_back(name, found->second);
+      result.emplace_back(name, of_it);
     }
     return result;
   }

@@ -60,11 +60,8 @@ namespace MixedCracks
   std::vector<WatchedBoundary<dim>>
   WatchedBoundariesParameters<dim>::boundaries(const NamedBoundaries &ids) const
   {
-    const std::string        parameter = entry_name;
-    const std::string        moment    = " moment about ";
-    std::vector<std::string> names;
-    for (const auto &boundary : ids)
-      names.push_back(boundary.first);
+    const std::string                 parameter = entry_name;
+    const std::string                 moment    = " moment about ";
     std::vector<WatchedBoundary<dim>> result;
     std::set<std::string>             columns;
     for (const std::string &given : split_list(text, ';'))
@@ -72,26 +69,15 @@ namespace MixedCracks
       const std::string    entry = single_spaced(given);
       const std::size_t    at    = entry.find(moment);
       WatchedBoundary<dim> watched;
-      watched.name     = entry.substr(0, at);
-      const auto found = ids.find(watched.name);
-      if (found == ids.end())
-        throw InputError(parameter + ": boundary: " +
-                         unknown_name_message(watched.name, names) +
-                         " An entry is 'boundary' or 'boundary moment about " +
-                         (dim == 2 ? "0, 0'." : "0, 0, 0'."));
-      watched.ids = found->second;
+      watched.name = entry.substr(0, at);
+      watched.ids  = boundary_of(watched.name, ids, parameter, []() {
+        return std::string(
+                 "An entry is 'boundary' or 'boundary moment about ") +
+               (dim == 2 ? "0, 0'." : "0, 0, 0'.");
+      });
       if (at != std::string::npos)
-      {
-        const std::string         place   = entry.substr(at + moment.size());
-        const std::vector<double> numbers = parse_numbers(place, parameter);
-        if (numbers.size() != dim)
-          throw InputError(parameter + ": found " + in_quotes(entry) +
-                           ", allowed is a point of " + std::to_string(dim) +
-                           " numbers, as '" + (dim == 2 ? "0, 1" : "0, 1, 2") +
-                           "'.");
-        watched.about.emplace();
-        set_coordinates(numbers, *watched.about);
-      }
+        watched.about =
+          read_point<dim>(entry.substr(at + moment.size()), parameter, entry);
       // by columns: 'a b' and 'a_b' would have the same
       if (!columns.insert(watched.column_names().front()).second)
         throw InputError(parameter + ": found " + in_quotes(watched.name) +

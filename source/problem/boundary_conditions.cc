@@ -227,18 +227,12 @@ namespace MixedCracks
   BoundaryConditions<dim>::point_phase_fields() const
   {
     std::vector<BoundaryEntry<dim>> entries;
-    for (const std::string &entry : split_list(point_phase_field_text, ';'))
-    {
-      const std::vector<std::string> parts = split_list(entry, ':');
-      if (parts.size() != 2)
-        throw InputError(phase_fields_name + ": found '" + entry +
-                         "', allowed is 'point : value', several separated by "
-                         "';'.");
+    for (const auto &parts :
+         read_items(point_phase_field_text, "point : value", phase_fields_name))
       entries.push_back({parts[0],
                          dim,
                          std::make_shared<const Expression>(
                            parts[1], entry_variables(), phase_fields_name)});
-    }
     return point_entries(entries, phase_fields_name);
   }
 
@@ -289,20 +283,16 @@ namespace MixedCracks
   BoundaryConditions<dim>::pressures() const
   {
     LoadsByBoundary result;
-    for (const std::string &entry : split_list(pressure_text, ';'))
+    for (const auto &parts :
+         read_items(pressure_text, "boundary : expression", pressure_name))
     {
-      const std::vector<std::string> parts = split_list(entry, ':');
-      if (parts.size() != 2)
-        throw InputError(pressure_name + ": found '" + entry +
-                         "', allowed is 'boundary : expression', several "
-                         "separated by ';'.");
       auto function = std::make_shared<ExpressionFunction<dim>>(1);
       function->set(0,
                     std::make_shared<const Expression>(
                       parts[1], entry_variables(), pressure_name));
       if (!result.insert({parts[0], function}).second)
-        throw InputError(pressure_name + ": found '" + entry +
-                         "', a second entry for '" + parts[0] +
+        throw InputError(pressure_name + ": found '" + parts[0] + " : " +
+                         parts[1] + "', a second entry for '" + parts[0] +
                          "'. Allowed is one for each boundary.");
     }
     return result;
@@ -333,17 +323,9 @@ namespace MixedCracks
                                  const std::vector<std::string>     &point_sets,
                                  const bool is_periodic) const
   {
-    std::vector<std::string> names;
-    for (const auto &boundary : boundaries)
-      names.push_back(boundary.first);
     const auto require_known = [&](const std::string &name,
                                    const std::string &parameter) {
-      if (boundaries.count(name) > 0)
-        return;
-      const std::string more = hint ? hint() : "";
-      throw InputError(parameter +
-                       ": boundary: " + unknown_name_message(name, names) +
-                       (more.empty() ? "" : " " + more));
+      boundary_of(name, boundaries, parameter, hint);
     };
     bool any_displacement = false;
     for (const BoundaryEntry<dim> &entry : displacements())
@@ -359,7 +341,7 @@ namespace MixedCracks
                        ": no displacement is prescribed anywhere, here or in "
                        "Displacement at points, so the body can move freely. "
                        "Allowed boundaries: " +
-                       join_names(names) + ".");
+                       join_names(names_of(boundaries)) + ".");
     for (const auto &traction : tractions(dim))
       require_known(traction.first, traction_name);
     for (const auto &traction : normal_tractions())

@@ -87,14 +87,7 @@ namespace MixedCracks
         at.set = single_spaced(entry.boundary);
         return at;
       }
-      const std::vector<double> numbers =
-        parse_numbers(entry.boundary, parameter);
-      if (numbers.size() != dim)
-        throw InputError(parameter + ": found '" + entry.boundary +
-                         "', allowed is a point of " + std::to_string(dim) +
-                         " numbers, as '" + (dim == 2 ? "0, 1" : "0, 1, 2") +
-                         "'.");
-      set_coordinates(numbers, at.point);
+      at.point = read_point<dim>(entry.boundary, parameter);
       return at;
     }
   } // namespace

@@ -40,20 +40,6 @@ namespace MixedCracks
     // of a cell: what is nearer than that is rounding
     constexpr double rounding = 1e-6;
 
-    template <int dim>
-    Point<dim>
-    read_point(const std::string &text, const std::string &entry)
-    {
-      const std::vector<double> numbers = parse_numbers(text, entry);
-      if (numbers.size() != dim)
-        throw InputError(entry + ": found '" + text + "', allowed is " +
-                         std::to_string(dim) + " numbers, as '" +
-                         (dim == 2 ? "0,1'." : "0,1,2'."));
-      Point<dim> point;
-      set_coordinates(numbers, point);
-      return point;
-    }
-
     // A crack of half the width w, which is drawn over @p beyond at most
     // past its rim: within w of it, but not longer than it by more than half
     // a cell, however wide it is.
@@ -163,16 +149,10 @@ namespace MixedCracks
   InitialCracks<dim>::segments() const
   {
     std::vector<Segment<dim>> result;
-    for (const std::string &entry : split_list(text, ';'))
-    {
-      const std::vector<std::string> ends = split_list(entry, ':');
-      if (ends.size() != 2)
-        throw InputError(parameter + ": found '" + entry + "', allowed is '" +
-                         (dim == 2 ? "x0,y0 : x1,y1" : "x0,y0,z0 : x1,y1,z1") +
-                         "', several separated by ';'.");
+    for (const auto &ends : read_items(
+           text, dim == 2 ? "x0,y0 : x1,y1" : "x0,y0,z0 : x1,y1,z1", parameter))
       result.push_back({read_point<dim>(ends[0], parameter),
                         read_point<dim>(ends[1], parameter)});
-    }
     return result;
   }
 
@@ -183,14 +163,11 @@ namespace MixedCracks
   InitialCracks<dim>::discs() const
   {
     std::vector<CrackDisc<dim>> result;
-    for (const std::string &entry : split_list(discs_text, ';'))
+    for (const auto &parts :
+         read_items(discs_text,
+                    dim == 2 ? "center : radius" : "center : normal : radius",
+                    discs_parameter))
     {
-      const std::vector<std::string> parts = split_list(entry, ':');
-      if (parts.size() != dim)
-        throw InputError(
-          discs_parameter + ": found '" + entry + "', allowed is '" +
-          (dim == 2 ? "center : radius" : "center : normal : radius") +
-          "', several separated by ';'.");
       CrackDisc<dim> disc;
       disc.center = read_point<dim>(parts.front(), discs_parameter);
       disc.radius = parse_number(parts.back(), discs_parameter);

@@ -47,13 +47,9 @@ namespace MixedCracks
     : finite_strain(finite_strain)
   {
     const std::vector<std::string> names = component_names<dim>(finite_strain);
-    for (const std::string &item : split_list(text, ';'))
+    for (const auto &parts :
+         read_items(text, "component : expression", mean_strain_entry))
     {
-      const std::vector<std::string> parts = split_list(item, ':');
-      if (parts.size() != 2)
-        throw InputError(mean_strain_entry + ": found " + in_quotes(item) +
-                         ", allowed is 'component : expression', several "
-                         "separated by ';'.");
       if (std::find(names.begin(), names.end(), parts[0]) == names.end())
         throw InputError(
           mean_strain_entry + ": component: found " + in_quotes(parts[0]) +
@@ -62,7 +58,8 @@ namespace MixedCracks
                          : "; at small strain 'xy' stands for 'yx', too."));
       for (const Component &earlier : components)
         if (earlier.name == parts[0])
-          throw InputError(mean_strain_entry + ": found " + in_quotes(item) +
+          throw InputError(mean_strain_entry + ": found " +
+                           in_quotes(parts[0] + " : " + parts[1]) +
                            ", a second entry for '" + parts[0] +
                            "'. Allowed is one for each component.");
       components.push_back(

@@ -24,35 +24,21 @@ namespace MixedCracks
                       const NamedBoundaries              &boundaries,
                       const std::function<std::string()> &hint)
   {
-    std::vector<std::string> names;
-    for (const auto &boundary : boundaries)
-      names.push_back(boundary.first);
     std::vector<PeriodicPair>            pairs;
     std::set<dealii::types::boundary_id> taken;
-    for (const std::string &item : split_list(text, ';'))
+    for (const auto &parts :
+         read_items(text, "boundary : boundary", periodic_sides_entry))
     {
-      const std::vector<std::string> parts = split_list(item, ':');
-      if (parts.size() != 2)
-        throw InputError(periodic_sides_entry + ": found " + in_quotes(item) +
-                         ", allowed is 'boundary : boundary', as 'left : "
-                         "right', several separated by ';'.");
       PeriodicPair pair;
       for (unsigned int i = 0; i < 2; ++i)
       {
-        pair.names[i]    = parts[i];
-        const auto found = boundaries.find(parts[i]);
-        if (found == boundaries.end())
-        {
-          const std::string more = hint ? hint() : "";
-          throw InputError(periodic_sides_entry + ": boundary: " +
-                           unknown_name_message(parts[i], names) +
-                           (more.empty() ? "" : " " + more));
-        }
-        pair.sides[i] = found->second;
+        pair.names[i] = parts[i];
+        pair.sides[i] =
+          boundary_of(parts[i], boundaries, periodic_sides_entry, hint);
         for (const auto id : pair.sides[i])
           if (!taken.insert(id).second)
             throw InputError(periodic_sides_entry + ": found '" + parts[i] +
-                             "' in " + in_quotes(item) +
+                             "' in " + in_quotes(parts[0] + " : " + parts[1]) +
                              ", whose faces are in this list already. Allowed "
                              "is one partner for each side.");
       }

@@ -30,49 +30,11 @@ namespace MixedCracks
     const std::string surroundings_entry = "Mesh/Refined surroundings";
 
     template <int dim>
-    dealii::Point<dim>
-    parsed_point(const std::string &text,
-                 const std::string &what,
-                 const std::string &parameter)
-    {
-      const std::vector<double> numbers = parse_numbers(text, parameter);
-      if (numbers.size() != dim)
-        throw InputError(parameter + ": the " + what + " " + in_quotes(text) +
-                         " needs " + std::to_string(dim) + " numbers.");
-      dealii::Point<dim> point;
-      for (unsigned int d = 0; d < dim; ++d)
-        point[d] = numbers[d];
-      return point;
-    }
-
-
-
-    template <int dim>
     std::string
     corner_text(const dealii::Point<dim> &corner)
     {
       const auto coordinates = coordinates_of(corner);
       return point_text({coordinates.begin(), coordinates.end()});
-    }
-
-
-
-    // the three parts of every item of a list, the last one levels
-    std::vector<std::vector<std::string>>
-    parsed_items(const std::string &list,
-                 const std::string &form,
-                 const std::string &parameter)
-    {
-      std::vector<std::vector<std::string>> result;
-      for (const std::string &item : split_list(list, ';'))
-      {
-        const std::vector<std::string> parts = split_list(item, ':');
-        if (parts.size() != 3)
-          throw InputError(parameter + ": " + in_quotes(item) +
-                           " is not of the form '" + form + "'.");
-        result.push_back(parts);
-      }
-      return result;
     }
 
 
@@ -167,13 +129,12 @@ namespace MixedCracks
   RefinedRegions<dim>::refined_boxes() const
   {
     std::vector<RefinedBox<dim>> result;
-    for (const auto &parts : parsed_items(
-           boxes, "lower corner : upper corner : levels", boxes_entry))
+    for (const auto &parts :
+         read_items(boxes, "lower corner : upper corner : levels", boxes_entry))
     {
-      const RefinedBox<dim> box = {
-        parsed_point<dim>(parts[0], "corner", boxes_entry),
-        parsed_point<dim>(parts[1], "corner", boxes_entry),
-        parsed_levels(parts[2], boxes_entry)};
+      const RefinedBox<dim> box = {read_point<dim>(parts[0], boxes_entry),
+                                   read_point<dim>(parts[1], boxes_entry),
+                                   parsed_levels(parts[2], boxes_entry)};
       for (unsigned int d = 0; d < dim; ++d)
         require(box.lower[d] < box.upper[d],
                 boxes_entry + ": in " +
@@ -193,8 +154,8 @@ namespace MixedCracks
   {
     std::vector<RefinedDisc<dim>> result;
     for (const auto &parts :
-         parsed_items(discs, "centre : radius : levels", discs_entry))
-      result.push_back({parsed_point<dim>(parts[0], "centre", discs_entry),
+         read_items(discs, "centre : radius : levels", discs_entry))
+      result.push_back({read_point<dim>(parts[0], discs_entry),
                         parsed_length(parts[1], "radius", discs_entry),
                         parsed_levels(parts[2], discs_entry)});
     return result;
@@ -207,7 +168,7 @@ namespace MixedCracks
   RefinedRegions<dim>::refined_surroundings() const
   {
     std::vector<RefinedSurroundings> result;
-    for (const auto &parts : parsed_items(
+    for (const auto &parts : read_items(
            surroundings, "name : distance : levels", surroundings_entry))
       result.push_back({single_spaced(parts[0]),
                         parsed_length(parts[1], "distance", surroundings_entry),

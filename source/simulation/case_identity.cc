@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// What --case-id answers: the id of what is calculated, from all parameters and
-// the files that they name. Derived defaults are asked of who derives them.
+// How a case is read, and what --case-id answers: the id of what is calculated,
+// from all parameters and the files that they name. Derived defaults are asked
+// of who derives them.
 
 #include <base/finite_text.h>
 
@@ -11,6 +12,7 @@
 #include <problem/geometries/mesh_reader.h>
 
 #include <simulation/case_identity.h>
+#include <simulation/time_tables.h>
 
 #include <limits>
 
@@ -73,6 +75,36 @@ namespace MixedCracks
 
 
 
+  template <int dim>
+  void
+  read_case(const std::vector<SourceLine> &source,
+            const CommandLine             &command,
+            Parameters<dim>               &parameters,
+            dealii::ParameterHandler      &prm)
+  {
+    parameters.add_parameters(prm);
+    read_parameters(source, command.set, prm);
+    if (command.output)
+    {
+      prm.enter_subsection("Output");
+      prm.set("Directory", *command.output);
+      prm.leave_subsection();
+    }
+    read_time_tables(prm);
+    parameters.check();
+    require_time_tables_until(parameters.load.end_time, prm);
+  }
+
+
+
+  template void            read_case(const std::vector<SourceLine> &,
+                                     const CommandLine &,
+                                     Parameters<2> &,
+                                     dealii::ParameterHandler &);
+  template void            read_case(const std::vector<SourceLine> &,
+                                     const CommandLine &,
+                                     Parameters<3> &,
+                                     dealii::ParameterHandler &);
   template EffectiveValues derived_values(const Parameters<2> &);
   template EffectiveValues derived_values(const Parameters<3> &);
   template std::string     case_identity(const Parameters<2> &,

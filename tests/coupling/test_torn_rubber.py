@@ -84,12 +84,11 @@ def main():
         runs.run("resumed", MIXED, "Load stepping/End time=4.5", ranks=2)
         other, _ = runs.run("resumed", MIXED, resume=True)
         check_same("resumed", mixed, other, before_the_run)
-        end = "Load stepping/End time=5.4"
-        coarse, _ = runs.run("coarse", MIXED, end)
-        fine, _ = runs.run("fine", MIXED, end, "Load stepping/First step=0.45",
+        fine, _ = runs.run("fine", MIXED, "Load stepping/End time=5.4",
+                           "Load stepping/First step=0.45",
                            "Load stepping/Largest step=0.45")
-        assert imbalance(coarse, 5.4) < 0.01, imbalance(coarse, 5.4)
-        assert imbalance(fine, 5.4) < 0.5 * imbalance(coarse, 5.4), imbalance(fine, 5.4)
+        assert imbalance(mixed, 5.4) < 0.01, imbalance(mixed, 5.4)
+        assert imbalance(fine, 5.4) < 0.5 * imbalance(mixed, 5.4), imbalance(fine, 5.4)
 
 
 if __name__ == "__main__":

@@ -7,7 +7,7 @@ and exit status 2 or 4.
 Cells are counted in the ASCII file of version 2.2 that Gmsh makes of the same
 mesh, not by the program. Without Gmsh the test is skipped.
 
-usage: test_mesh_files.py EXECUTABLE
+usage: test_mesh_files.py EXECUTABLE MESH_READER
 """
 
 import collections
@@ -23,7 +23,7 @@ import unittest
 sys.path.append(str(pathlib.Path(__file__).resolve().parents[1]))
 import program  # noqa: E402
 
-EXECUTABLE = sys.argv[1]
+EXECUTABLE, READER = sys.argv[1:3]
 SKIPPED = 77
 
 SQUARE = """
@@ -158,12 +158,16 @@ def cells_when_read(path, dim):
     return sum(n * CORNERS[kind] for kind, n in numbers.items())
 
 
-def check(path, dim, cut="true"):
-    """Exit status and what is said."""
-    names = "bottom = bottom ; top = top" if path.suffix == ".inp" \
+def names_in(path):
+    return "bottom = bottom ; top = top" if path.suffix == ".inp" \
         else "1 = bottom ; 3 = top"
+
+
+def ask_program(path, dim, cut="true"):
+    """Exit status and what is said."""
     case = path.with_suffix(path.suffix + ".prm")
-    case.write_text(CASE.format(dim=dim, file=path.name, names=names, cut=cut),
+    case.write_text(CASE.format(dim=dim, file=path.name, names=names_in(path),
+                                cut=cut),
                     encoding="utf-8")
     result = subprocess.run([EXECUTABLE, "--check", str(case)],
                             env=program.environment(), stdin=subprocess.DEVNULL,
@@ -178,10 +182,22 @@ class MeshFiles(unittest.TestCase):
         cls.scratch = tempfile.TemporaryDirectory()
         cls.folder = pathlib.Path(cls.scratch.name)
         write_meshes(cls.folder)
+        cls.reader = subprocess.Popen([READER], env=program.environment(), text=True,
+                                      errors="replace", stdin=subprocess.PIPE,
+                                      stdout=subprocess.PIPE)
 
     @classmethod
     def tearDownClass(cls):
+        cls.reader.communicate()
         cls.scratch.cleanup()
+
+    def check(self, path, dim, cut="true"):
+        """The same as ask_program(), of a process that has been started once."""
+        self.reader.stdin.write("%d\t%s\t%s\t%s\n" % (dim, cut, names_in(path), path))
+        self.reader.stdin.flush()
+        status, _, text = self.reader.stdout.readline().partition("\t")
+        self.assertTrue(status, "the reader has died of " + str(path))
+        return int(status), text.replace("\v", "\n")
 
     def expect_refusal(self, result, about, *words):
         status, text = result
@@ -204,10 +220,12 @@ class MeshFiles(unittest.TestCase):
             n_cells = cells_when_read(place / "v22.msh", dim)
             for file in {**FORMATS, **SECOND_ORDER}:
                 with self.subTest(mesh=name, file=file):
-                    self.expect_cells(check(place / file, dim), n_cells, file)
+                    self.expect_cells(self.check(place / file, dim), n_cells, file)
+            for file in ("v22.msh", "v41_binary.msh", "gmsh.inp"):
+                self.expect_cells(ask_program(place / file, dim), n_cells, file)
 
     def test_second_order_is_said(self):
-        _, text = check(self.folder / "quadrilaterals" / "second_v41.msh", 2)
+        _, text = ask_program(self.folder / "quadrilaterals" / "second_v41.msh", 2)
         self.assertIn("cells of second order the corners", text)
 
     def test_simplices_are_refused_without_the_entry(self):
@@ -215,13 +233,13 @@ class MeshFiles(unittest.TestCase):
             for file in ("v22.msh", "v41_binary.msh", "gmsh.inp", "gmsh.vtk"):
                 with self.subTest(mesh=name, file=file):
                     self.expect_refusal(
-                        check(self.folder / name / file, dim, "false"), file,
+                        self.check(self.folder / name / file, dim, "false"), file,
                         name, "Geometry/Mesh file/Cut simplices = true")
 
     def test_other_dimension(self):
-        self.expect_refusal(check(self.folder / "tetrahedra" / "v41.msh", 2), "",
+        self.expect_refusal(self.check(self.folder / "tetrahedra" / "v41.msh", 2), "",
                             "Geometry/Dimension")
-        self.expect_refusal(check(self.folder / "triangles" / "v41.msh", 3), "",
+        self.expect_refusal(self.check(self.folder / "triangles" / "v41.msh", 3), "",
                             "Geometry/Dimension")
 
     def test_other_formats_are_refused_by_name(self):
@@ -229,8 +247,8 @@ class MeshFiles(unittest.TestCase):
             path = self.folder / "triangles" / file
             with self.subTest(file=file):
                 self.assertGreater(path.stat().st_size, 0)
-                self.expect_refusal(check(path, 2), file, word)
-        self.expect_refusal(check(self.folder / "triangles" / "mesh.geo", 2), "",
+                self.expect_refusal(self.check(path, 2), file, word)
+        self.expect_refusal(self.check(self.folder / "triangles" / "mesh.geo", 2), "",
                             "script of Gmsh")
 
     def changed(self, source, name, change):
@@ -251,7 +269,7 @@ class MeshFiles(unittest.TestCase):
             for name, change in changes.items():
                 with self.subTest(file=file, change=name):
                     path = self.changed(place / file, name, change)
-                    self.expect_cells(check(path, 2), n_cells, path)
+                    self.expect_cells(self.check(path, 2), n_cells, path)
 
     def test_decimal_commas_are_named(self):
         def with_commas(text):
@@ -260,7 +278,7 @@ class MeshFiles(unittest.TestCase):
             path = self.changed(self.folder / "quadrilaterals" / file, "comma",
                                 with_commas)
             with self.subTest(file=file):
-                self.expect_refusal(check(path, 2), path, "commas")
+                self.expect_refusal(self.check(path, 2), path, "commas")
 
     def test_damage(self):
         """Cut off, or with other bytes: no trace, no signal, no more than one
@@ -281,7 +299,7 @@ class MeshFiles(unittest.TestCase):
             for _ in range(3):
                 data[dice.randrange(len(data))] = dice.randrange(256)
         path = self.changed(source, f"damaged{seed}", lambda _: bytes(data))
-        result = check(path, dim)
+        result = self.check(path, dim)
         if result[0] != 0:
             self.expect_refusal(result, path)
 

@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 """Every .prm in the tree passes --check.
 
-    check_all.py EXECUTABLE MPIRUN [directory of the project]
+    check_all.py EXECUTABLE [directory of the project]
 
 Each must leave with exit status 0, say something, complain about nothing on the
 error stream, and leave no files, from an empty working directory: paths in a
@@ -66,12 +66,12 @@ def offences(command, path):
 
 
 def main():
-    if len(sys.argv) < 3:
+    if len(sys.argv) < 2:
         sys.exit(__doc__)
     here = os.path.dirname(os.path.abspath(__file__))
-    root = os.path.abspath(sys.argv[3] if len(sys.argv) > 3
+    root = os.path.abspath(sys.argv[2] if len(sys.argv) > 2
                            else os.path.join(here, os.pardir, os.pardir))
-    command = [sys.argv[2], "-n", "1", os.path.abspath(sys.argv[1])]
+    command = [os.path.abspath(sys.argv[1])]
     n_files, n_failed = 0, 0
     for path in parameter_files(root):
         found = list(offences(command, path))

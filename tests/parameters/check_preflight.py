@@ -21,6 +21,9 @@ import sys
 import tempfile
 import unittest
 
+sys.path.append(os.path.join(os.path.dirname(os.path.abspath(__file__)), os.pardir))
+import program  # noqa: E402
+
 COMMAND = []
 
 MATERIAL = """\
@@ -87,7 +90,7 @@ class Preflight(unittest.TestCase):
         with open(os.path.join(self.folder, "case.prm"), "w") as stream:
             stream.write(text)
         process = subprocess.run(
-            [COMMAND[1], "-n", str(ranks), COMMAND[0], *arguments, "case.prm"],
+            [*program.command(*COMMAND, ranks), *arguments, "case.prm"],
             cwd=self.folder, stdin=subprocess.DEVNULL, stdout=subprocess.PIPE,
             stderr=subprocess.PIPE, universal_newlines=True, timeout=300)
         self.assertEqual(process.returncode, status, process.stdout + process.stderr)
@@ -308,5 +311,5 @@ class Preflight(unittest.TestCase):
 if __name__ == "__main__":
     if len(sys.argv) != 3:
         sys.exit(__doc__)
-    COMMAND = [os.path.abspath(sys.argv[1]), sys.argv[2]]
+    COMMAND = [os.path.abspath(sys.argv[1]), [sys.argv[2]]]
     unittest.main(argv=sys.argv[:1])

@@ -17,6 +17,9 @@ import subprocess
 import sys
 import tempfile
 
+sys.path.append(os.path.join(os.path.dirname(os.path.abspath(__file__)), os.pardir))
+import program  # noqa: E402
+
 ROOT = os.path.abspath(os.path.join(os.path.dirname(__file__), "..", ".."))
 
 SHORT = {
@@ -90,7 +93,7 @@ def offences(command, path, folder):
 def main():
     if len(sys.argv) < 4:
         sys.exit(__doc__)
-    command = [sys.argv[2], "-n", sys.argv[3], os.path.abspath(sys.argv[1])]
+    command = program.command(os.path.abspath(sys.argv[1]), [sys.argv[2]], sys.argv[3])
     paths = [os.path.join(folder, name)
              for folder, _, names in os.walk(os.path.join(ROOT, "parameters"))
              for name in names if name.endswith(".prm")

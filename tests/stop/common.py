@@ -37,7 +37,7 @@ def direct():
 
 
 def by_mpirun(ranks):
-    return program.command(sys.argv[1], sys.argv[2:], ranks)
+    return [*sys.argv[2:], "-n", str(ranks), sys.argv[1]]
 
 
 def by_launcher(ranks=None):

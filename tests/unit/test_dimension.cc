@@ -135,7 +135,7 @@ TEST(Dimension, ChecksWhatDependsOnIt)
   // refused in plane stress only
   EXPECT_EQ(problem(three, {"Model/Deviator dimension=3"}), "");
   EXPECT_NE(problem(three, {"Mesh/Refined boxes=0,0 : 1,1 : 1"})
-              .find("needs 3 numbers"),
+              .find("point of 3 numbers"),
             std::string::npos);
   EXPECT_EQ(problem(three, {"Mesh/Refined boxes=0,0,0 : 1,1,0.5 : 1"}), "");
   EXPECT_NE(problem(three, {"Mesh/Refined discs=0,0,7 : 1 : 1"})

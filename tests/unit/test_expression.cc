@@ -73,6 +73,23 @@ namespace MixedCracks
         << text;
   }
 
+  TEST(Expression, HasTheFunctionsOfDealII)
+  {
+    const auto value = [](const std::string &text) {
+      return Expression(text, {"x"}, "A")({0.7});
+    };
+    EXPECT_DOUBLE_EQ(value("cot(x)*tan(x)"), 1.);
+    EXPECT_DOUBLE_EQ(value("csc(x)*sin(x)"), 1.);
+    EXPECT_DOUBLE_EQ(value("sec(x)*cos(x)"), 1.);
+    EXPECT_DOUBLE_EQ(value("pow(x, 3)"), 0.7 * 0.7 * 0.7);
+    EXPECT_DOUBLE_EQ(value("erfc(x)"), std::erfc(0.7));
+    EXPECT_DOUBLE_EQ(value("log(exp(x))"), 0.7);
+    EXPECT_DOUBLE_EQ(value("ceil(x) + 10*floor(x)"), 1.);
+    EXPECT_DOUBLE_EQ(value("int(x) + 10*int(0 - x) + 100*int(0.3)"), -9.);
+    EXPECT_DOUBLE_EQ(value("if(x, 1, 2) + 10*if(0.3, 1, 2)"), 21.);
+    EXPECT_DOUBLE_EQ(value("(x | 0) + 10*(x & 0) + 100*(x & 1)"), 101.);
+  }
+
   TEST(Expression, CopiesAreIndependentOfTheOriginal)
   {
     auto original = std::make_unique<Expression>("x+t", space_time, "A");
@@ -114,6 +131,8 @@ namespace MixedCracks
       {"unused_3", "unknown name"},
       {"h", "unknown name 'h'"},
       {"0x1F", "unknown name"},
+      {"_pi", "unknown name '_pi'"},
+      {"erf(x)", "did you mean 'erfc'?"},
       {"x ? 1", "else"}};
     for (const auto &[text, part] : mistakes)
     {

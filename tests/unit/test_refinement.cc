@@ -173,8 +173,8 @@ TEST(MeshParameters, Refusals)
 {
   EXPECT_EQ(problem(""), "");
   EXPECT_EQ(problem("0,0 : 1,1 : 2"), "");
-  expect_refused("0,0 : 1,1", "is not of the form");
-  expect_refused("0,0 : 1 : 2", "needs 2 numbers");
+  expect_refused("0,0 : 1,1", "lower corner : upper corner : levels");
+  expect_refused("0,0 : 1 : 2", "point of 2 numbers");
   expect_refused("0,0 : 1,0 : 2", "must be greater");
   expect_refused("0,0 : 1,1 : 1.5", "must be an integer");
   expect_refused("0,0 : 1,1 : -1", "must be an integer");

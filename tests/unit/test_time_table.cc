@@ -94,6 +94,7 @@ namespace MixedCracks
     EXPECT_DOUBLE_EQ(value("table(\"ramp.csv\")"), 0.5);
     EXPECT_DOUBLE_EQ(value("-x*table(\"ramp.csv\") + z"), 4.);
     EXPECT_DOUBLE_EQ(value("y*table(\"ramp.csv\")*table(\"fall.csv\")*t"), 9.);
+    EXPECT_DOUBLE_EQ(value("x*y*z*t*table(\"ramp.csv\")"), 15.);
     const Expression expression("table(\"ramp.csv\")", {"x", "t"}, "A");
     EXPECT_TRUE(expression.uses("t"));
     EXPECT_FALSE(expression.uses("x"));
@@ -121,7 +122,6 @@ namespace MixedCracks
     EXPECT_TRUE(has(message("table(\"ramp.csv\", 2)", all), "quotation marks"));
     EXPECT_TRUE(has(message("table(\"no.csv\")", all), "not been read"));
     EXPECT_TRUE(has(message("table(\"ramp.csv\")", {"h"}), "depends on t"));
-    EXPECT_TRUE(
-      has(message("x*y*z*t*table(\"ramp.csv\")", all), "more than four"));
+    EXPECT_TRUE(has(message("table", all), "quotation marks"));
   }
 } // namespace MixedCracks

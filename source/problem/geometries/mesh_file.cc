@@ -236,18 +236,11 @@ namespace MixedCracks
     const std::string   parameter = subsection + "Circles";
     const auto          ids       = boundary_ids();
     std::vector<Circle> result;
-    for (const std::string &item : split_list(circles, ';'))
+    for (const auto &parts :
+         read_items(circles, "name : x, y : radius", parameter))
     {
-      const std::vector<std::string> parts = split_list(item, ':');
-      require(parts.size() == 3,
-              parameter + ": " + in_quotes(item) +
-                " is not of the form 'name : x, y : radius'.");
-      std::vector<std::string> names;
-      for (const auto &known : ids)
-        names.push_back(known.first);
-      const auto id = ids.find(single_spaced(parts[0]));
-      require(id != ids.end(),
-              parameter + ": " + unknown_name_message(parts[0], names));
+      const std::string         name   = single_spaced(parts[0]);
+      const BoundaryIds        &id     = boundary_of(name, ids, parameter);
       const std::vector<double> center = parse_numbers(parts[1], parameter);
       require(center.size() == 2 || center.size() == dim,
               parameter + ": the centre " + in_quotes(parts[1]) + " needs 2" +
@@ -256,7 +249,7 @@ namespace MixedCracks
       require(radius > 0.,
               parameter + ": the radius " + in_quotes(parts[2]) +
                 " must be greater than 0.");
-      Circle circle = {id->second, id->first, {}, radius, center.size() < dim};
+      Circle circle = {id, name, {}, radius, center.size() < dim};
       set_coordinates(center, circle.center);
       result.push_back(circle);
     }

@@ -15,6 +15,7 @@
 // lies on its side. Its name is found by the smallest distance from the lines
 // through the corners.
 
+#include <base/coordinates.h>
 #include <base/plane.h>
 #include <base/text.h>
 
@@ -88,14 +89,7 @@ namespace MixedCracks
               ", allowed are 4 points, as '0,0 ; 1,0 ; 1,1 ; 0,1'.");
     Corners result;
     for (unsigned int i = 0; i < 4; ++i)
-    {
-      const std::vector<double> numbers =
-        parse_numbers(points[i], corners_parameter);
-      require(numbers.size() == 2,
-              corners_parameter + ": found " + in_quotes(points[i]) +
-                ", allowed is a point of 2 numbers, as '0, 1'.");
-      result[i] = Point<2>(numbers[0], numbers[1]);
-    }
+      result[i] = read_point<2>(points[i], corners_parameter);
     return result;
   }
 

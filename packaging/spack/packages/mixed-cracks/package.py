@@ -16,6 +16,7 @@ class MixedCracks(CMakePackage):
     depends_on("cmake@3.18:", type="build")
     depends_on("mpi")
     depends_on("dealii@9.4:+mpi+trilinos+p4est+muparser")
+    depends_on("muparser")
     depends_on("mumps@5.5:+mpi")
     depends_on("python@3.11:", type="run")
     depends_on("py-matplotlib", type="run")
