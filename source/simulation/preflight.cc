@@ -3,9 +3,9 @@
 // what the numbers cannot mean. Memory by what runs have needed (N dofs,
 // bytes):
 //
-//              direct             block AMG
-//    2-d       3500 N             2500 N
-//    3-d       450 N^(4/3)        9000 N
+//              direct             block AMG     matrix-free
+//    2-d       3500 N             2500 N        1800 N
+//    3-d       450 N^(4/3)        9000 N        1800 N
 //
 // Warnings about the model:
 //
@@ -48,6 +48,8 @@ namespace MixedCracks
     double
     bytes_of_solution(const std::string &solver, const double n_dofs)
     {
+      if (solver == "matrix-free")
+        return 1800. * n_dofs;
       if (solver == "block AMG")
         return (dim == 2 ? 2500. : 9000.) * n_dofs;
       return dim == 2 ? 3500. * n_dofs : 450. * std::pow(n_dofs, 4. / 3.);
@@ -217,7 +219,8 @@ namespace MixedCracks
         solver_for_stiffness(parameters.solver, body.material->description())
           .name,
         dim,
-        static_cast<types::global_dof_index>(mesh.n_elastic))
+        static_cast<types::global_dof_index>(mesh.n_elastic),
+        parameters.allows_matrix_free())
         .name;
     log.line(format("memory: about %.2g GB with the linear solver '%s', all "
                     "ranks together",
