@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // What --check says, and the log before each run: sizes, costs, and warnings of
-// what the numbers cannot mean. Memory by what runs have needed (N dofs,
-// bytes):
+// what the numbers cannot mean. Memory of whole runs (N dofs, bytes):
 //
 //              direct             block AMG     matrix-free
 //    2-d       3500 N             2500 N        1800 N
