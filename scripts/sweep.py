@@ -32,8 +32,7 @@ OUTPUT/sweep.csv has a row per case; what is not known is left empty:
                          what it is, and which program and jobs have made it
   ...                    what the sweep varies
   separated, outcome, start
-                         what became of the body, and where the crack started;
-                         separated is empty in 3-d, where cracks are not traced
+                         what became of the body, and where the crack started
   force_fell             whether the force ended below its bound
   peak_force_N, displacement_at_peak_mm, end_displacement_mm,
   remaining_force_fraction, steps

@@ -51,8 +51,8 @@ namespace MixedCracks
     virtual std::size_t memory_consumption() const = 0;
   };
 
-  /// For Q2 displacements with Q1 pressures; @p lanes cells at a time. Only
-  /// where this processor has so many.
+  /// For Q2 displacements with Q1 pressures; @p lanes cells at a time, where
+  /// this processor has so many. 0: as many as deal.II was compiled for.
   template <int dim, int lanes>
   std::unique_ptr<CellProducts<dim>> make_cell_products_with_lanes(
     const dealii::Mapping<dim>              &mapping,

@@ -1,28 +1,13 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Which lanes this processor has is asked when the program runs: a package for
 // any x86-64 must not end at an instruction that the machine does not know.
-// AVX2 with FMA: 4 doubles. AVX-512 was no faster (doc/solvers.md).
+// AVX2 with FMA: 4 doubles. AVX-512 was no faster (doc/records/solvers.md).
 
 #include <assembly/cell_products.h>
 
 namespace MixedCracks
 {
   using namespace dealii;
-
-  namespace
-  {
-    bool
-    processor_has_4_lanes()
-    {
-#ifdef MIXED_CRACKS_WITH_AVX2
-      return __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma");
-#else
-      return false;
-#endif
-    }
-  } // namespace
-
-
 
   template <int dim>
   std::unique_ptr<CellProducts<dim>>
@@ -31,11 +16,11 @@ namespace MixedCracks
                      const AffineConstraints<double> &constraints)
   {
 #ifdef MIXED_CRACKS_WITH_AVX2
-    if (processor_has_4_lanes())
+    if (__builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma"))
       return make_cell_products_with_lanes<dim, 4>(
         mapping, handler, constraints);
 #endif
-    return make_cell_products_with_lanes<dim, 1>(mapping, handler, constraints);
+    return make_cell_products_with_lanes<dim, 0>(mapping, handler, constraints);
   }
 
 

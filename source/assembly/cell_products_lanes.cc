@@ -15,14 +15,14 @@
 // a (|grad N_a|^2 + (d_i N_a)^2)/2 + b (d_i N_a)^2 where C is isotropic, grad
 // N_a . A_(i.i.) . grad N_a at finite strain.
 
-// deal.II of most distributions is compiled for plain x86-64 and has one lane.
+// As many lanes as deal.II was compiled for: one, where it is for any x86-64.
 // Its templates have more where this file is compiled for a processor that has
 // them: MIXED_CRACKS_LANES = 4 doubles with AVX2 (CMakeLists.txt).
 #include <deal.II/base/config.h>
 #ifndef MIXED_CRACKS_LANES
-#  define MIXED_CRACKS_LANES 1
+#  define MIXED_CRACKS_LANES 0
 #endif
-#if MIXED_CRACKS_LANES > 1
+#if MIXED_CRACKS_LANES > 0
 #  undef DEAL_II_VECTORIZATION_WIDTH_IN_BITS
 #  define DEAL_II_VECTORIZATION_WIDTH_IN_BITS (64 * MIXED_CRACKS_LANES)
 #endif
@@ -36,7 +36,7 @@
 
 #include <deal.II/matrix_free/fe_evaluation.h>
 #include <deal.II/matrix_free/matrix_free.h>
-#if MIXED_CRACKS_LANES > 1
+#if MIXED_CRACKS_LANES > 0
 #  include <deal.II/matrix_free/evaluation_template_factory.templates.h>
 #  include <deal.II/matrix_free/evaluation_template_factory_hanging_nodes.templates.h>
 #  include <deal.II/matrix_free/mapping_info.templates.h>
@@ -372,7 +372,8 @@ namespace MixedCracks
                                 const DoFHandler<dim>           &handler,
                                 const AffineConstraints<double> &constraints)
   {
-    return std::make_unique<MatrixFreeProducts<dim, lanes>>(
+    constexpr int n = lanes > 0 ? lanes : VectorizedArray<double>::size();
+    return std::make_unique<MatrixFreeProducts<dim, n>>(
       mapping, handler, constraints);
   }
 

@@ -11,7 +11,8 @@
 //   studies: sizes (uniform meshes), adaptive, incompressibility (lambda/mu),
 //            damage (kappa, intact to broken), orderings (of MUMPS),
 //            beside (both solvers on uniform meshes, one row for both),
-//            products (block AMG with its matrix and without)
+//            products (block AMG with its matrix and without),
+//            throughput (of products, beside the bandwidth of the memory)
 //   --dim 2|3  --largest UNKNOWNS  --smallest UNKNOWNS  --displacement
 //   --solver "block AMG"|direct|both  --worst (broken through, kappa = 1e-6)
 //   --tolerance 1e-8  --random (right hand side)
@@ -302,6 +303,85 @@ namespace
 
 
 
+  // GB/s of all ranks in a <- b + 3 c of vectors that no cache holds, as STREAM
+  // counts them (McCalpin, 1995): two are read, one is written.
+  double
+  memory_bandwidth()
+  {
+    const std::size_t   n = 20000000;
+    std::vector<double> a(n, 0.), b(n, 1.), c(n, 2.);
+    double              best = 0.;
+    for (unsigned int k = 0; k < 5; ++k)
+    {
+      const double seconds = seconds_of([&]() {
+        for (std::size_t i = 0; i < n; ++i)
+          a[i] = b[i] + 3. * c[i];
+      });
+      best                 = std::max(best, 24e-9 * n / seconds);
+    }
+    if (a[n / 2] != 7.)
+      throw InputError("the loop was not done");
+    return best * dealii::Utilities::MPI::n_mpi_processes(MPI_COMM_WORLD);
+  }
+
+
+
+  // Products per second, and what they read and write at least: the numbers of
+  // the cells and index tables once, source and result once.
+  template <int dim>
+  void
+  study_throughput(const Arguments &arguments)
+  {
+    ElasticSystemOptions options = basic(arguments);
+    const unsigned int   last    = options.refinements;
+    const double         gb      = memory_bandwidth();
+    for (options.refinements = refinements_for(arguments, arguments.smallest);
+         options.refinements <= last;
+         ++options.refinements)
+      for (const bool matrix_free : {false, true})
+      {
+        options.matrix_free = matrix_free;
+        options.with_matrix = !matrix_free;
+        ElasticSystem<dim> system(options);
+        auto               source = system.right_hand_side, result = source;
+        const auto         multiply = [&]() {
+          if (matrix_free)
+            system.matrix_free.vmult(result, source);
+          else
+            system.matrix.vmult(result, source);
+        };
+        multiply();
+        const unsigned int n       = 20;
+        const double       seconds = seconds_of([&]() {
+                                 for (unsigned int k = 0; k < n; ++k)
+                                   multiply();
+                               }) /
+                               n;
+        const double unknowns = system.fields.elastic.n_dofs();
+        const double stored   = dealii::Utilities::MPI::sum(
+          matrix_free
+            ? 1. * system.matrix_free.memory_consumption()
+            : 12. * system.matrix.n_nonzero_elements() /
+                dealii::Utilities::MPI::n_mpi_processes(MPI_COMM_WORLD),
+          MPI_COMM_WORLD);
+        const double bytes = stored + 24. * unknowns;
+        print(format(
+          "| %d-d, %.0f | %u | %s | %.1f | %.0f | %.1f | %.1f | %.0f |",
+          dim,
+          unknowns,
+          dealii::Utilities::MPI::n_mpi_processes(MPI_COMM_WORLD),
+          matrix_free ? format("%u lanes", system.matrix_free.n_lanes()).c_str()
+                      : "matrix",
+          1e-6 * unknowns / seconds,
+          bytes / unknowns,
+          1e-9 * bytes / seconds,
+          gb,
+          1e-7 * bytes / seconds / gb));
+      }
+  }
+
+
+
   template <int dim>
   void
   study_incompressibility(const Arguments &arguments)
@@ -374,6 +454,10 @@ namespace
       return "| dim | ranks | unknowns | ordering | used | entries of factors "
              "| analysis, s | factorisation, s | solve, s | |\n"
              "|---|---|---|---|---|---|---|---|---|---|";
+    if (study == "throughput")
+      return "| unknowns | ranks | product | million unknowns/s | bytes per "
+             "unknown | GB/s | of memory, GB/s | % |\n"
+             "|---|---|---|---:|---:|---:|---:|---:|";
     if (study == "products")
       return "| unknowns | ranks | solver | iterations | pattern, s | matrix or "
              "tangents and two residuals, s | set-up, s | solve, s | without "
@@ -404,6 +488,8 @@ namespace
       study_beside<dim>(arguments);
     else if (arguments.study == "products")
       study_products<dim>(arguments);
+    else if (arguments.study == "throughput")
+      study_throughput<dim>(arguments);
     else if (arguments.study == "incompressibility")
       study_incompressibility<dim>(arguments);
     else if (arguments.study == "damage")
