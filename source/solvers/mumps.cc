@@ -10,6 +10,7 @@
 #include <deal.II/base/exceptions.h>
 
 #include <solvers/mumps.h>
+#include <solvers/nested_dissection.h>
 
 #include <cstddef>
 #include <utility>
@@ -18,10 +19,11 @@ namespace MixedCracks
 {
   namespace
   {
+    const std::string metis = "METIS";
     // with the numbers of the manual, ICNTL(7) and INFOG(7)
     const std::vector<std::pair<std::string, int>> all_orderings = {
       {"automatic", 7},
-      {"METIS", 5},
+      {metis, 5},
       {"SCOTCH", 3},
       {"PORD", 4},
       {"AMD", 0},
@@ -82,6 +84,7 @@ namespace MixedCracks
     constexpr int used_ordering       = 6;
     constexpr int entries_of_factors  = 19;
     constexpr int sequential_analysis = 1;
+    constexpr int given_ordering      = 1;
     constexpr int no_scaling          = 0;
     constexpr int distributed_input   = 3;
     constexpr int initial_workspace   = 30;
@@ -113,6 +116,9 @@ namespace MixedCracks
     // of rows and columns of a symmetric matrix; 1 for others
     std::vector<double> scaling;
     std::vector<double> in_rank_order, all;
+    // of the unknowns, counted from 1, on the master; where it is not MUMPS
+    // that finds an ordering
+    std::vector<MUMPS_INT> given_places;
 
     void
     run(const int job)
@@ -121,9 +127,13 @@ namespace MixedCracks
       dmumps_c(&data);
     }
 
-    void          take_pattern(bool lower_triangle);
-    void          take_owners();
-    void          take_values(const double *matrix_values);
+    void take_pattern(bool lower_triangle);
+    void take_owners();
+    void take_values(const double *matrix_values);
+    LinearOutcome
+    take_nested_dissection(const LinearAlgebra::SparseMatrix &matrix);
+    LinearOutcome take_ordering(const LinearAlgebra::SparseMatrix &matrix,
+                                const std::string                 &ordering);
     LinearOutcome outcome(const std::string &phase) const;
   };
 
@@ -228,6 +238,44 @@ namespace MixedCracks
 
 
   LinearOutcome
+  Mumps::Implementation::take_nested_dissection(
+    const LinearAlgebra::SparseMatrix &matrix)
+  {
+    std::vector<int>    places;
+    const LinearOutcome outcome = nested_dissection(
+      matrix,
+      data.sym != 0 ? MatrixSymmetry::symmetric : MatrixSymmetry::none,
+      places);
+    for (const int place : places)
+      given_places.push_back(place + 1);
+    data.perm_in              = given_places.data();
+    data.icntl[ordering_kind] = given_ordering;
+    return outcome;
+  }
+
+
+
+  // A METIS that MUMPS was built with is not asked: ours sees one vertex for
+  // all unknowns of a node.
+  LinearOutcome
+  Mumps::Implementation::take_ordering(
+    const LinearAlgebra::SparseMatrix &matrix,
+    const std::string                 &ordering)
+  {
+    for (const auto &[name, number] : all_orderings)
+      if (name == ordering)
+        data.icntl[ordering_kind] = number;
+    if (ordering != "automatic")
+      // the parallel one has orderings of its own
+      data.icntl[analysis_kind] = sequential_analysis;
+    if (ordering == metis && nested_dissection_is_available())
+      return take_nested_dissection(matrix);
+    return {};
+  }
+
+
+
+  LinearOutcome
   Mumps::Implementation::outcome(const std::string &phase) const
   {
     const int error = data.infog[0];
@@ -273,15 +321,13 @@ namespace MixedCracks
     data.icntl[print_level]        = 0;
     data.icntl[matrix_input]       = distributed_input;
     data.icntl[workspace_increase] = initial_workspace;
-    for (const auto &[name, number] : all_orderings)
-      if (name == ordering)
-        data.icntl[ordering_kind] = number;
-    if (ordering != "automatic")
-      // the parallel one has orderings of its own
-      data.icntl[analysis_kind] = sequential_analysis;
     if (data.sym != 0)
       data.icntl[scaling_kind] = no_scaling;
     data.n = matrix.m();
+    // before the copies of the pattern need their memory
+    outcome = my.take_ordering(matrix, ordering);
+    if (!outcome.success)
+      return;
     my.take_pattern(data.sym != 0);
     my.take_owners();
     my.run(analysis);
@@ -366,6 +412,8 @@ namespace MixedCracks
   Mumps::ordering() const
   {
     const int used = implementation->data.infog[used_ordering];
+    if (used == given_ordering)
+      return metis;
     for (const auto &[name, number] : all_orderings)
       if (number == used)
         return name;
