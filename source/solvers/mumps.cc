@@ -10,38 +10,8 @@
 #include <deal.II/base/exceptions.h>
 
 #include <solvers/mumps.h>
+#include <solvers/mumps_orderings.h>
 #include <solvers/nested_dissection.h>
-
-#include <cstddef>
-#include <utility>
-
-namespace MixedCracks
-{
-  namespace
-  {
-    const std::string metis = "METIS";
-    // with the numbers of the manual, ICNTL(7) and INFOG(7)
-    const std::vector<std::pair<std::string, int>> all_orderings = {
-      {"automatic", 7},
-      {metis, 5},
-      {"SCOTCH", 3},
-      {"PORD", 4},
-      {"AMD", 0},
-      {"AMF", 2},
-      {"QAMD", 6}};
-  } // namespace
-
-
-
-  std::vector<std::string>
-  Mumps::orderings()
-  {
-    std::vector<std::string> result;
-    for (const auto &[name, number] : all_orderings)
-      result.push_back(name);
-    return result;
-  }
-} // namespace MixedCracks
 
 #ifdef MIXED_CRACKS_WITH_MUMPS
 
@@ -51,6 +21,7 @@ namespace MixedCracks
 
 #  include <algorithm>
 #  include <cmath>
+#  include <cstddef>
 
 namespace MixedCracks
 {
@@ -84,7 +55,6 @@ namespace MixedCracks
     constexpr int used_ordering       = 6;
     constexpr int entries_of_factors  = 19;
     constexpr int sequential_analysis = 1;
-    constexpr int given_ordering      = 1;
     constexpr int no_scaling          = 0;
     constexpr int distributed_input   = 3;
     constexpr int initial_workspace   = 30;
@@ -127,12 +97,11 @@ namespace MixedCracks
       dmumps_c(&data);
     }
 
-    void take_pattern(bool lower_triangle);
-    void take_owners();
-    void take_values(const double *matrix_values);
-    LinearOutcome
-    take_nested_dissection(const LinearAlgebra::SparseMatrix &matrix);
+    void          take_pattern(bool lower_triangle);
+    void          take_owners();
+    void          take_values(const double *matrix_values);
     LinearOutcome take_ordering(const LinearAlgebra::SparseMatrix &matrix,
+                                MatrixSymmetry                     symmetry,
                                 const std::string                 &ordering);
     LinearOutcome outcome(const std::string &phase) const;
   };
@@ -237,40 +206,27 @@ namespace MixedCracks
 
 
 
-  LinearOutcome
-  Mumps::Implementation::take_nested_dissection(
-    const LinearAlgebra::SparseMatrix &matrix)
-  {
-    std::vector<int>    places;
-    const LinearOutcome outcome = nested_dissection(
-      matrix,
-      data.sym != 0 ? MatrixSymmetry::symmetric : MatrixSymmetry::none,
-      places);
-    for (const int place : places)
-      given_places.push_back(place + 1);
-    data.perm_in              = given_places.data();
-    data.icntl[ordering_kind] = given_ordering;
-    return outcome;
-  }
-
-
-
   // A METIS that MUMPS was built with is not asked: ours sees one vertex for
   // all unknowns of a node.
   LinearOutcome
   Mumps::Implementation::take_ordering(
     const LinearAlgebra::SparseMatrix &matrix,
+    const MatrixSymmetry               symmetry,
     const std::string                 &ordering)
   {
-    for (const auto &[name, number] : all_orderings)
-      if (name == ordering)
-        data.icntl[ordering_kind] = number;
+    data.icntl[ordering_kind] = mumps_number_of(ordering);
     if (ordering != "automatic")
       // the parallel one has orderings of its own
       data.icntl[analysis_kind] = sequential_analysis;
-    if (ordering == metis && nested_dissection_is_available())
-      return take_nested_dissection(matrix);
-    return {};
+    if (ordering != "METIS" || !nested_dissection_is_available())
+      return {};
+    std::vector<int>    places;
+    const LinearOutcome outcome = nested_dissection(matrix, symmetry, places);
+    for (const int place : places)
+      given_places.push_back(place + 1);
+    data.perm_in              = given_places.data();
+    data.icntl[ordering_kind] = mumps_given_ordering;
+    return outcome;
   }
 
 
@@ -325,7 +281,7 @@ namespace MixedCracks
       data.icntl[scaling_kind] = no_scaling;
     data.n = matrix.m();
     // before the copies of the pattern need their memory
-    outcome = my.take_ordering(matrix, ordering);
+    outcome = my.take_ordering(matrix, symmetry, ordering);
     if (!outcome.success)
       return;
     my.take_pattern(data.sym != 0);
@@ -411,13 +367,7 @@ namespace MixedCracks
   std::string
   Mumps::ordering() const
   {
-    const int used = implementation->data.infog[used_ordering];
-    if (used == given_ordering)
-      return metis;
-    for (const auto &[name, number] : all_orderings)
-      if (number == used)
-        return name;
-    return "number " + std::to_string(used);
+    return mumps_ordering_of(implementation->data.infog[used_ordering]);
   }
 
 
