@@ -6,6 +6,7 @@
 
 #include <model/elastic_response.h>
 
+#include <algorithm>
 #include <map>
 #include <vector>
 
@@ -91,8 +92,164 @@ namespace MixedCracks
     /// cells that are not as usual, until compress()
     std::map<unsigned int, std::vector<double>> pending;
   };
-} // namespace MixedCracks
 
-#include <assembly/lane_tangents.templates.h>
+
+
+  // All here: it is compiled for each number of lanes, with the instructions
+  // that belong to them.
+
+  namespace Internal
+  {
+    // C_(ij) of the pairs i <= j of strains, then s, t, c
+    template <int dim>
+    void
+    append_symmetric(const ElasticResponse<dim> &response,
+                     std::vector<double>        &values)
+    {
+      for (unsigned int i = 0; i < dim * (dim + 1) / 2; ++i)
+        for (unsigned int j = i; j < dim * (dim + 1) / 2; ++j)
+          values.push_back(tangent_entry(response.stress_by_strain, i, j));
+      values.insert(values.end(),
+                    {response.stress_by_pressure,
+                     response.constraint_by_trace,
+                     response.constraint_by_pressure});
+    }
+
+
+
+    // A_(iJ, kL) of the pairs of components in the order iJ = dim i + J, then
+    // K_iJ, c
+    template <int dim>
+    void
+    append_finite(const ElasticResponse<dim> &response,
+                  std::vector<double>        &values)
+    {
+      const auto &finite = *response.finite;
+      for (unsigned int i = 0; i < dim * dim; ++i)
+        for (unsigned int j = i; j < dim * dim; ++j)
+          values.push_back(
+            finite.stress_by_gradient[i / dim][i % dim][j / dim][j % dim]);
+      for (unsigned int i = 0; i < dim * dim; ++i)
+        values.push_back(finite.coupling[i / dim][i % dim]);
+      values.push_back(response.constraint_by_pressure);
+    }
+  } // namespace Internal
+
+
+
+  template <int dim, typename Lanes>
+  void
+  LaneTangents<dim, Lanes>::reinit(const unsigned int        n_batches_now,
+                                   const unsigned int        n_points_per_cell,
+                                   const std::vector<Place> &places_now)
+  {
+    n_batches = n_batches_now;
+    n_points  = n_points_per_cell;
+    places    = places_now;
+    is_filled = false;
+    of_usual.clear();
+    of_symmetric.clear();
+    first_symmetric.assign(n_batches, nowhere);
+  }
+
+
+
+  // what no cell fills is multiplied too: let it be 0
+  template <int dim, typename Lanes>
+  void
+  LaneTangents<dim, Lanes>::begin(const TangentKind kind)
+  {
+    usual     = kind;
+    is_filled = true;
+    std::fill(first_symmetric.begin(), first_symmetric.end(), nowhere);
+    of_symmetric.clear();
+    of_usual.resize(std::size_t(n_batches) * n_points * n_numbers(kind),
+                    Lanes(0.));
+  }
+
+
+
+  template <int dim, typename Lanes>
+  void
+  LaneTangents<dim, Lanes>::set(
+    const unsigned int                       cell,
+    const std::vector<ElasticResponse<dim>> &responses)
+  {
+    const bool is_finite = responses.front().finite.has_value();
+    if (cell == 0 || !is_filled)
+      begin(is_finite ? TangentKind::finite : TangentKind::isotropic);
+    const unsigned int lane = places[cell].second;
+    Lanes             *to =
+      &of_usual[std::size_t(places[cell].first) * n_points * n_numbers(usual)];
+    if (is_finite)
+    {
+      std::vector<double> values;
+      for (const ElasticResponse<dim> &response : responses)
+        Internal::append_finite(response, values);
+      for (const double value : values)
+        (to++)[0][lane] = value;
+      return;
+    }
+    bool is_isotropic = true;
+    for (const ElasticResponse<dim> &response : responses)
+    {
+      const auto constants = isotropic_tangent(response.stress_by_strain);
+      is_isotropic &= constants.has_value();
+      for (const double value : {constants ? constants->identity : 0.,
+                                 constants ? constants->volume : 0.,
+                                 response.stress_by_pressure,
+                                 response.constraint_by_trace,
+                                 response.constraint_by_pressure})
+        (to++)[0][lane] = value;
+    }
+    if (!is_isotropic)
+      for (const ElasticResponse<dim> &response : responses)
+        Internal::append_symmetric(response, pending[cell]);
+  }
+
+
+
+  // The other cells of a batch with one that is not isotropic: C_(ij) from a
+  // and b, where i and j < dim are normal strains.
+  template <int dim, typename Lanes>
+  void
+  LaneTangents<dim, Lanes>::compress()
+  {
+    const std::size_t size      = n_points * n_numbers(TangentKind::symmetric);
+    std::size_t       n_special = 0;
+    for (const auto &entry : pending)
+    {
+      std::size_t &first = first_symmetric[places[entry.first].first];
+      if (first == nowhere)
+        first = size * n_special++;
+    }
+    of_symmetric.resize(size * n_special, Lanes(0.));
+    for (unsigned int cell = 0; cell < places.size() && n_special > 0; ++cell)
+    {
+      const auto [batch, lane] = places[cell];
+      if (first_symmetric[batch] == nowhere)
+        continue;
+      Lanes *to = &of_symmetric[first_symmetric[batch]];
+      if (const auto found = pending.find(cell); found != pending.end())
+      {
+        for (const double value : found->second)
+          (to++)[0][lane] = value;
+        continue;
+      }
+      const Lanes *from = &of_usual[std::size_t(batch) * n_points * 5];
+      for (unsigned int q = 0; q < n_points; ++q, from += 5)
+      {
+        for (unsigned int i = 0; i < n_strains; ++i)
+          for (unsigned int j = i; j < n_strains; ++j)
+            (to++)[0][lane] =
+              (i == j ? (i < dim ? 1. : 0.5) * from[0][lane] : 0.) +
+              (j < dim ? from[1][lane] : 0.);
+        for (unsigned int k = 2; k < 5; ++k)
+          (to++)[0][lane] = from[k][lane];
+      }
+    }
+    pending.clear();
+  }
+} // namespace MixedCracks
 
 #endif

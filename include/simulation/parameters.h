@@ -73,6 +73,10 @@ namespace MixedCracks
     /// prescribed at points only, whose reaction it is then.
     std::string force_boundary() const;
 
+    /// Whether products without a matrix can do what the model asks for: not in
+    /// the displacement formulation, nor with pressures that follow a boundary.
+    bool allows_matrix_free() const;
+
   private:
     void check_matrix_free() const;
   };

@@ -129,7 +129,7 @@ namespace MixedCracks
     virtual std::string description() const = 0;
   };
 
-  /// Linear solvers by name: "direct" and "block AMG".
+  /// Linear solvers by name: "direct", "block AMG" and "matrix-free".
   const Registry<LinearSolver, const LinearSolverOptions &> &
   all_linear_solvers();
 
@@ -141,11 +141,13 @@ namespace MixedCracks
   };
 
   /// "auto" resolved by dimension and number of unknowns of the matrix
-  /// (doc/solvers.md); other names are returned as they are.
+  /// (doc/solvers.md); other names are returned as they are. @p has_products:
+  /// whether there are products without a matrix.
   LinearSolverChoice
   choose_linear_solver(const std::string              &name,
                        int                             dim,
-                       dealii::types::global_dof_index n_dofs);
+                       dealii::types::global_dof_index n_dofs,
+                       bool                            has_products);
 } // namespace MixedCracks
 
 #endif

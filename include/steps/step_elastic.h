@@ -249,7 +249,7 @@ namespace MixedCracks
     std::vector<bool>             pressure_dofs; // owned ones, in order
     LinearAlgebra::SparseMatrix   matrix;
     MatrixFreeElastic<dim>        matrix_free; // one of the two is used
-    std::unique_ptr<LinearSolver> solver; // lives shorter than the matrix
+    std::unique_ptr<LinearSolver> solver;      // lives shorter than the matrix
     LinearAlgebra::Vector         iterate;
     LinearAlgebra::Vector         full_residual;
     LinearAlgebra::Vector         residual;

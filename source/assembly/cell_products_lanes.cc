@@ -5,8 +5,8 @@
 //   small strain   sigma = C : eps + s p I,   constraint = t tr eps + c p,
 //   finite strain  P = A : H + K p,           constraint = K : H + c p,
 //
-// with H = grad u, A = dP/dH and K = dP/dp, are tested with eps(N) or grad N,
-// and with M.
+// with H = grad u, A = dP/dH and K = dP/dp (lane_response.h), are tested with
+// eps(N) or grad N, and with M.
 //
 // The diagonal: with e_i the unit vectors,
 //
@@ -28,7 +28,7 @@
 #endif
 
 #include <assembly/cell_products.h>
-#include <assembly/lane_tangents.h>
+#include <assembly/lane_response.h>
 
 #include <deal.II/fe/fe_q.h>
 
@@ -49,7 +49,6 @@
 #endif
 
 #include <algorithm>
-#include <array>
 #include <type_traits>
 
 namespace MixedCracks
@@ -58,90 +57,6 @@ namespace MixedCracks
 
   namespace
   {
-    // (i, j) -> C_(ij) sum over pairs i <= j: y_i += C_(ij) x_j and y_j +=
-    // C_(ij) x_i; returns what follows the triangle
-    template <std::size_t n, typename Lanes>
-    const Lanes *
-    multiply_triangle(const Lanes                *triangle,
-                      const std::array<Lanes, n> &x,
-                      std::array<Lanes, n>       &y)
-    {
-      for (std::size_t i = 0; i < n; ++i)
-        y[i] = 0.;
-      for (std::size_t i = 0; i < n; ++i)
-      {
-        y[i] += *triangle++ * x[i];
-        for (std::size_t j = i + 1; j < n; ++j, ++triangle)
-        {
-          y[i] += *triangle * x[j];
-          y[j] += *triangle * x[i];
-        }
-      }
-      return triangle;
-    }
-
-
-
-    // Stress and constraint of grad u and p, with the numbers of a point.
-    template <TangentKind kind, int dim, typename Lanes>
-    void
-    respond(const Lanes                 *numbers,
-            const Tensor<2, dim, Lanes> &gradient,
-            const Lanes                 &pressure,
-            Tensor<2, dim, Lanes>       &stress,
-            Lanes                       &constraint)
-    {
-      if constexpr (kind == TangentKind::finite)
-      {
-        std::array<Lanes, dim * dim> in, out;
-        for (unsigned int i = 0; i < dim * dim; ++i)
-          in[i] = gradient[i / dim][i % dim];
-        numbers    = multiply_triangle(numbers, in, out);
-        constraint = numbers[dim * dim] * pressure;
-        for (unsigned int i = 0; i < dim * dim; ++i)
-        {
-          stress[i / dim][i % dim] = out[i] + numbers[i] * pressure;
-          constraint += numbers[i] * in[i];
-        }
-        return;
-      }
-      const Lanes volume = trace(gradient);
-      if constexpr (kind == TangentKind::symmetric)
-      {
-        // C : eps has both of a pair of shear strains
-        constexpr unsigned int n = dim * (dim + 1) / 2;
-        std::array<Lanes, n>   in, out;
-        for (unsigned int i = 0; i < n; ++i)
-        {
-          const auto at =
-            SymmetricTensor<2, dim>::unrolled_to_component_indices(i);
-          in[i] = i < dim ? gradient[i][i]
-                          : gradient[at[0]][at[1]] + gradient[at[1]][at[0]];
-        }
-        numbers = multiply_triangle(numbers, in, out);
-        for (unsigned int i = 0; i < n; ++i)
-        {
-          const auto at =
-            SymmetricTensor<2, dim>::unrolled_to_component_indices(i);
-          stress[at[0]][at[1]] = stress[at[1]][at[0]] = out[i];
-        }
-      }
-      else
-      {
-        for (unsigned int i = 0; i < dim; ++i)
-          for (unsigned int j = 0; j < dim; ++j)
-            stress[i][j] = 0.5 * numbers[0] * (gradient[i][j] + gradient[j][i]);
-        for (unsigned int i = 0; i < dim; ++i)
-          stress[i][i] += numbers[1] * volume;
-        numbers += 2;
-      }
-      for (unsigned int i = 0; i < dim; ++i)
-        stress[i][i] += numbers[0] * pressure;
-      constraint = numbers[1] * volume + numbers[2] * pressure;
-    }
-
-
-
     template <int dim, int lanes>
     class MatrixFreeProducts : public CellProducts<dim>
     {
@@ -300,13 +215,6 @@ namespace MixedCracks
       void
       respond_at_points(unsigned int batch, Displacement &u, Pressure &p) const;
 
-      /// Of shape function a at point q, the weight of the point included.
-      template <TangentKind kind>
-      void add_to_diagonal(const Lanes                 *numbers,
-                           const Lanes                 &weight,
-                           const Tensor<1, dim, Lanes> &gradient,
-                           Lanes                       *sums) const;
-
       /// Call body with the kind of a batch as a constant.
       template <typename Body>
       void
@@ -422,36 +330,6 @@ namespace MixedCracks
 
 
     template <int dim, int lanes>
-    template <TangentKind kind>
-    void
-    MatrixFreeProducts<dim, lanes>::add_to_diagonal(
-      const Lanes                 *numbers,
-      const Lanes                 &weight,
-      const Tensor<1, dim, Lanes> &gradient,
-      Lanes                       *sums) const
-    {
-      if constexpr (kind == TangentKind::isotropic)
-      {
-        const Lanes half = 0.5 * weight * numbers[0];
-        const Lanes both = half * gradient.norm_square();
-        const Lanes own  = half + weight * numbers[1];
-        for (unsigned int d = 0; d < dim; ++d)
-          sums[d * n_nodes] += both + own * (gradient[d] * gradient[d]);
-        return;
-      }
-      for (unsigned int d = 0; d < dim; ++d)
-      {
-        Tensor<2, dim, Lanes> unit, stress;
-        Lanes                 constraint;
-        unit[d] = gradient;
-        respond<kind>(numbers, unit, Lanes(0.), stress, constraint);
-        sums[d * n_nodes] += weight * (stress[d] * gradient);
-      }
-    }
-
-
-
-    template <int dim, int lanes>
     void
     MatrixFreeProducts<dim, lanes>::integrate_diagonal(const Free &free,
                                                        Vector     &result,
@@ -475,7 +353,8 @@ namespace MixedCracks
               for (unsigned int d = 0; d < dim; ++d)
                 for (unsigned int e = 0; e < dim; ++e)
                   gradient[d] += inverse[d][e] * gradients[q * n_nodes + a][e];
-              add_to_diagonal<kind>(numbers, u.JxW(q), gradient, sums + a);
+              add_to_diagonal<kind>(
+                numbers, u.JxW(q), gradient, n_nodes, sums + a);
             }
             numbers += LaneTangents<dim, Lanes>::n_numbers(kind);
           }

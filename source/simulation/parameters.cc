@@ -65,22 +65,30 @@ namespace MixedCracks
 
 
 
-  // What products without a matrix lack.
+  template <int dim>
+  bool
+  Parameters<dim>::allows_matrix_free() const
+  {
+    return model.mixed() && !(model.strain.is_finite() &&
+                              !boundary_conditions.pressures().empty());
+  }
+
+
+
   template <int dim>
   void
   Parameters<dim>::check_matrix_free() const
   {
-    if (solver.name != "matrix-free")
+    if (solver.name != "matrix-free" || allows_matrix_free())
       return;
     if (!model.mixed())
       throw InputError("Linear solver/Name: found 'matrix-free' with "
                        "Model/Formulation = displacement. Allowed are direct, "
                        "block AMG and auto, or Formulation = mixed.");
-    if (model.strain.is_finite() && !boundary_conditions.pressures().empty())
-      throw InputError(
-        "Linear solver/Name: found 'matrix-free' with Model/Strains = finite "
-        "and Boundary conditions/Pressure, which follows the boundary and has "
-        "a part of the matrix. Allowed are direct, block AMG and auto.");
+    throw InputError(
+      "Linear solver/Name: found 'matrix-free' with Model/Strains = finite "
+      "and Boundary conditions/Pressure, which follows the boundary and has "
+      "a part of the matrix. Allowed are direct, block AMG and auto.");
   }
 
 

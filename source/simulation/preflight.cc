@@ -1,14 +1,11 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // What --check says, and the log before each run: sizes, costs, and warnings of
-// what the numbers cannot mean. Memory by what runs have needed (N dofs,
-// bytes):
+// what the numbers cannot mean. Memory of whole runs (N dofs, bytes):
 //
-//              direct             block AMG
-//    2-d       3500 N             2500 N
-//    3-d       450 N^(4/3)        9000 N
-//
+//              direct             block AMG     matrix-free
+//    2-d       3500 N             2500 N        1800 N
+//    3-d       450 N^(4/3)        9000 N        1800 N
 // Warnings about the model:
-//
 //   l/h < 2         the band is not resolved: a crack of the discrete problem
 //                   costs more than G_c per surface
 //   lambda/mu > 50  displacement formulation: locking. Mixed: pressure laws but
@@ -41,15 +38,17 @@ namespace MixedCracks
 
 
 
-    // bytes that whole runs were seen to need, factors or hierarchy of the
-    // (u, p) matrix included (doc/performance.md); in 3-d the number of
-    // entries of factors grows with the power 4/3 of that of the dofs
+    // bytes of whole runs, see above (doc/performance.md); in 3-d the entries
+    // of factors grow with the power 4/3 of the dofs
     template <int dim>
     double
     bytes_of_solution(const std::string &solver, const double n_dofs)
     {
-      if (solver == "block AMG")
-        return (dim == 2 ? 2500. : 9000.) * n_dofs;
+      if (solver != "direct")
+        return (solver == "matrix-free" ? 1800.
+                : dim == 2              ? 2500.
+                                        : 9000.) *
+               n_dofs;
       return dim == 2 ? 3500. * n_dofs : 450. * std::pow(n_dofs, 4. / 3.);
     }
 
@@ -217,7 +216,8 @@ namespace MixedCracks
         solver_for_stiffness(parameters.solver, body.material->description())
           .name,
         dim,
-        static_cast<types::global_dof_index>(mesh.n_elastic))
+        static_cast<types::global_dof_index>(mesh.n_elastic),
+        parameters.allows_matrix_free())
         .name;
     log.line(format("memory: about %.2g GB with the linear solver '%s', all "
                     "ranks together",

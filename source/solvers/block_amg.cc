@@ -46,10 +46,10 @@ namespace MixedCracks
 
   namespace
   {
-    // directions FGMRES keeps before it starts anew
-    constexpr unsigned int restart             = 100;
-    constexpr unsigned int matrix_free_restart = 32;
-    const char *const      asked_to_stop       = "block AMG was asked to stop";
+    // directions that are kept before it starts anew; fewer (30) and it does
+    // not end where broken cells are compressed
+    constexpr unsigned int restart       = 100;
+    const char *const      asked_to_stop = "block AMG was asked to stop";
     // a few iterations say nothing about a hierarchy
     constexpr unsigned int always_tolerated = 4;
 
@@ -273,7 +273,7 @@ namespace MixedCracks
         // half of the vectors of FGMRES; the preconditioner is always the same
         using Gmres = SolverGMRES<Vector>;
         Gmres solver(control,
-                     typename Gmres::AdditionalData(matrix_free_restart, true));
+                     typename Gmres::AdditionalData(restart + 2, true));
         solver.solve(matrix, solution, scaled, preconditioner);
       }
       else if (!uses_conjugate_gradients())

@@ -8,7 +8,8 @@
 // the iterative one a number of iterations that hardly grows, each of order N.
 // In the plane factors also serve several Newton iterations, which is why
 // direct solution is good for a million unknowns there, and for some ten
-// thousand in space.
+// thousand in space. Without its matrix the iterative one takes as many
+// iterations, each of less work.
 
 #include <solvers/block_amg.h>
 #include <solvers/direct_solver.h>
@@ -67,7 +68,8 @@ namespace MixedCracks
   LinearSolverChoice
   choose_linear_solver(const std::string                    &name,
                        const int                             dim,
-                       const dealii::types::global_dof_index n_dofs)
+                       const dealii::types::global_dof_index n_dofs,
+                       const bool                            has_products)
   {
     if (name != "auto")
       return {name, ""};
@@ -77,6 +79,7 @@ namespace MixedCracks
                                (iterative ? "at least " : "fewer than ") +
                                std::to_string(crossover) + " in " +
                                std::to_string(dim) + "-d";
-    return {iterative ? "block AMG" : "direct", reason};
+    return {iterative ? (has_products ? "matrix-free" : "block AMG") : "direct",
+            reason};
   }
 } // namespace MixedCracks

@@ -28,30 +28,33 @@ namespace MixedCracks
         "without METIS. A MUMPS built without the one asked for takes "
         "another; the log says which.",
         Patterns::Selection(join_names(Mumps::orderings(), "|")));
-      prm.add_parameter("Relative tolerance",
-                        newton.tight_linear_tolerance,
-                        "'block AMG' never reduces the residual |b - A x| / "
-                        "|b| of a linear system by more than this. How much "
-                        "it does depends on the progress of Newton's method "
-                        "and on 'Newton tolerance'. Unit: 1.",
-                        Patterns::Double(1e-14, 0.1));
-      prm.add_parameter("Loose relative tolerance",
-                        newton.loose_linear_tolerance,
-                        "What 'block AMG' starts with, and the least accurate "
-                        "solution it is ever asked for. Unit: 1.",
-                        Patterns::Double(1e-14, 0.1));
+      prm.add_parameter(
+        "Relative tolerance",
+        newton.tight_linear_tolerance,
+        "Iterative solvers never reduce the residual |b - A x| / "
+        "|b| of a linear system by more than this. How much "
+        "it does depends on the progress of Newton's method "
+        "and on 'Newton tolerance'. Unit: 1.",
+        Patterns::Double(1e-14, 0.1));
+      prm.add_parameter(
+        "Loose relative tolerance",
+        newton.loose_linear_tolerance,
+        "What iterative solvers start with, and the least accurate "
+        "solution it is ever asked for. Unit: 1.",
+        Patterns::Double(1e-14, 0.1));
       prm.add_parameter("Largest number of linear iterations",
                         linear.max_iterations,
                         "A linear system that needs more has not been solved, "
-                        "and the step is halved. For 'block AMG'.",
+                        "and the step is halved. For iterative solvers.",
                         Patterns::Integer(1));
-      prm.add_parameter("Tolerated growth of iterations",
-                        linear.tolerated_growth,
-                        "'block AMG' keeps its multigrid hierarchy for a new "
-                        "matrix as long as it needs at most this times the "
-                        "iterations, per digit, that it needed when it was "
-                        "new. 0: a new one for each matrix. Unit: 1.",
-                        Patterns::Double(0.));
+      prm.add_parameter(
+        "Tolerated growth of iterations",
+        linear.tolerated_growth,
+        "Iterative solvers keep a multigrid hierarchy for a new "
+        "matrix as long as they need at most this times the "
+        "iterations, per digit, that they needed when it was "
+        "new. 0: a new one for each matrix. Unit: 1.",
+        Patterns::Double(0.));
     }
   } // namespace
 

@@ -92,7 +92,10 @@ namespace MixedCracks
   ElasticStep<dim>::choose_solver()
   {
     const LinearSolverChoice earlier = choice;
-    choice = choose_linear_solver(solver_name, dim, fields.elastic.n_dofs());
+    choice                           = choose_linear_solver(solver_name,
+                                  dim,
+                                  fields.elastic.n_dofs(),
+                                  fields.layout.mixed && !follower.any());
     if (!solver || choice.name != earlier.name)
       solver = all_linear_solvers().make(choice.name, solver_options);
     if (!solver->is_direct())

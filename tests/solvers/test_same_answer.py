@@ -14,11 +14,16 @@ from program import as_options, command, output_of, rows  # noqa: E402
 
 CASES = pathlib.Path(__file__).resolve().parents[1] / "regression"
 # displacement formulation, broken in two; mixed formulation, refined as the
-# crack begins to grow; mixed, nearly incompressible
+# crack begins to grow; mixed, nearly incompressible; mixed in 3-d, with a crack
+# that bends and grows; rubber at finite strain
 COUPLED = ("Model/Coupling tolerance=1e-7", "Model/Running crack tolerance=1e-7")
 RUNS = (("slit_square_at2", COUPLED),
         ("slit_square_adaptive", (*COUPLED, "Load stepping/End time=0.0045")),
-        ("strip_intact", ()))
+        ("strip_intact", ()),
+        ("slit_cube_adaptive", COUPLED),
+        ("strip_intact", ("Model/Strains=finite", "Model/Kinematics=plane strain",
+                          "Model/Energy split=none", "Model/Pressure law=relaxed bulk")))
+DISPLACEMENT_FORMULATION = "slit_square_at2"
 COMPARED = ("displacement_mm", "force_x_N", "force_y_N", "elastic_energy_mJ",
             "crack_energy_mJ", "external_work_mJ", "min_phase_field",
             "max_phase_field_change", "cells", "dofs")
@@ -57,9 +62,12 @@ def compare(case, found, expected):
 def main():
     for case, settings in RUNS:
         expected = run(case, "direct", settings)
-        found = run(case, "block AMG", settings)
-        compare(case, found, expected)
-        print("%s: %d rows agree" % (case, len(found)))
+        for solver in ("block AMG", "matrix-free"):
+            if solver == "matrix-free" and case == DISPLACEMENT_FORMULATION:
+                continue
+            found = run(case, solver, settings)
+            compare(case, found, expected)
+            print("%s, %s: %d rows agree" % (case, solver, len(found)))
 
 
 if __name__ == "__main__":

@@ -434,15 +434,20 @@ TEST(LinearSolverChoice, IsThatOfTheUserOrByTheNumberOfUnknowns)
 {
   for (const std::string &name : all_linear_solvers().names())
   {
-    const LinearSolverChoice choice = choose_linear_solver(name, 2, 1000000000);
+    const LinearSolverChoice choice =
+      choose_linear_solver(name, 2, 1000000000, true);
     EXPECT_EQ(choice.name, name);
     EXPECT_EQ(choice.reason, "");
   }
   for (const int dim : {2, 3})
   {
-    const LinearSolverChoice small = choose_linear_solver("auto", dim, 1000);
+    const LinearSolverChoice small =
+      choose_linear_solver("auto", dim, 1000, true);
     EXPECT_EQ(small.name, "direct");
     EXPECT_NE(small.reason.find("1000 unknowns"), std::string::npos);
-    EXPECT_EQ(choose_linear_solver("auto", dim, 50000000).name, "block AMG");
+    EXPECT_EQ(choose_linear_solver("auto", dim, 50000000, false).name,
+              "block AMG");
+    EXPECT_EQ(choose_linear_solver("auto", dim, 50000000, true).name,
+              "matrix-free");
   }
 }
