@@ -76,7 +76,7 @@ namespace MixedCracks
       return n_factorizations;
     }
 
-    /// The package, and the ordering where it is not the one asked for.
+    /// The package and the ordering, with a word where another was asked for.
     std::string description() const override;
 
     /// The package in use, as "MUMPS" or "Amesos Klu".

@@ -16,7 +16,8 @@ namespace MixedCracks
     static bool is_available();
 
     /// Names of the orderings MUMPS may have been built with; "automatic",
-    /// which leaves the choice to MUMPS, before the others.
+    /// which leaves the choice to MUMPS, before the others. "METIS" is there
+    /// also where only this program has it.
     static std::vector<std::string> orderings();
 
     /// Analyse the pattern; @p outcome says whether that succeeded.

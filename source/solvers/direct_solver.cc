@@ -10,16 +10,27 @@
 #include <solvers/amesos.h>
 #include <solvers/direct_solver.h>
 #include <solvers/mumps.h>
+#include <solvers/nested_dissection.h>
 
 namespace MixedCracks
 {
   namespace
   {
-    const std::string mumps_name = "MUMPS";
-    // Its analysis is fast, and in 2-d its factors are as small as any
-    // (doc/solvers.md).
-    const std::string ordering_in_2d = "AMD";
-    const std::string amesos_prefix  = "Amesos ";
+    const std::string mumps_name    = "MUMPS";
+    const std::string amesos_prefix = "Amesos ";
+    const std::string automatic     = "automatic";
+
+
+
+    // By measurement (doc/records/solvers.md). In 2-d the analysis with AMD is
+    // fast, and factors are as small as any; in 3-d factors are what counts.
+    std::string
+    best_ordering(const unsigned int n_components)
+    {
+      if (n_components == 2)
+        return "AMD";
+      return nested_dissection_is_available() ? "METIS" : automatic;
+    }
   } // namespace
 
 
@@ -74,8 +85,8 @@ namespace MixedCracks
   LinearOutcome
   DirectSolver::initialize(const LinearSystem &system)
   {
-    if (ordering == "automatic" && system.n_components == 2)
-      ordering = ordering_in_2d;
+    if (ordering == automatic)
+      ordering = best_ordering(system.n_components);
     return initialize(*system.matrix, system.symmetry);
   }
 
@@ -117,9 +128,11 @@ namespace MixedCracks
   DirectSolver::description() const
   {
     const std::string found = solver ? solver->ordering() : "";
-    if (found.empty() || ordering == "automatic" || found == ordering)
+    if (found.empty())
       return name;
-    return name + " (ordering by " + found + "; this one has no " + ordering +
-           ")";
+    return name + " (ordering by " + found +
+           (ordering == automatic || found == ordering
+              ? ")"
+              : "; this one has no " + ordering + ")");
   }
 } // namespace MixedCracks

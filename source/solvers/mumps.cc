@@ -10,36 +10,8 @@
 #include <deal.II/base/exceptions.h>
 
 #include <solvers/mumps.h>
-
-#include <cstddef>
-#include <utility>
-
-namespace MixedCracks
-{
-  namespace
-  {
-    // with the numbers of the manual, ICNTL(7) and INFOG(7)
-    const std::vector<std::pair<std::string, int>> all_orderings = {
-      {"automatic", 7},
-      {"METIS", 5},
-      {"SCOTCH", 3},
-      {"PORD", 4},
-      {"AMD", 0},
-      {"AMF", 2},
-      {"QAMD", 6}};
-  } // namespace
-
-
-
-  std::vector<std::string>
-  Mumps::orderings()
-  {
-    std::vector<std::string> result;
-    for (const auto &[name, number] : all_orderings)
-      result.push_back(name);
-    return result;
-  }
-} // namespace MixedCracks
+#include <solvers/mumps_orderings.h>
+#include <solvers/nested_dissection.h>
 
 #ifdef MIXED_CRACKS_WITH_MUMPS
 
@@ -49,6 +21,7 @@ namespace MixedCracks
 
 #  include <algorithm>
 #  include <cmath>
+#  include <cstddef>
 
 namespace MixedCracks
 {
@@ -113,6 +86,9 @@ namespace MixedCracks
     // of rows and columns of a symmetric matrix; 1 for others
     std::vector<double> scaling;
     std::vector<double> in_rank_order, all;
+    // of the unknowns, counted from 1, on the master; where it is not MUMPS
+    // that finds an ordering
+    std::vector<MUMPS_INT> given_places;
 
     void
     run(const int job)
@@ -124,6 +100,9 @@ namespace MixedCracks
     void          take_pattern(bool lower_triangle);
     void          take_owners();
     void          take_values(const double *matrix_values);
+    LinearOutcome take_ordering(const LinearAlgebra::SparseMatrix &matrix,
+                                MatrixSymmetry                     symmetry,
+                                const std::string                 &ordering);
     LinearOutcome outcome(const std::string &phase) const;
   };
 
@@ -227,6 +206,31 @@ namespace MixedCracks
 
 
 
+  // A METIS that MUMPS was built with is not asked: ours sees one vertex for
+  // all unknowns of a node.
+  LinearOutcome
+  Mumps::Implementation::take_ordering(
+    const LinearAlgebra::SparseMatrix &matrix,
+    const MatrixSymmetry               symmetry,
+    const std::string                 &ordering)
+  {
+    data.icntl[ordering_kind] = mumps_number_of(ordering);
+    if (ordering != "automatic")
+      // the parallel one has orderings of its own
+      data.icntl[analysis_kind] = sequential_analysis;
+    if (ordering != "METIS" || !nested_dissection_is_available())
+      return {};
+    std::vector<int>    places;
+    const LinearOutcome outcome = nested_dissection(matrix, symmetry, places);
+    for (const int place : places)
+      given_places.push_back(place + 1);
+    data.perm_in              = given_places.data();
+    data.icntl[ordering_kind] = mumps_given_ordering;
+    return outcome;
+  }
+
+
+
   LinearOutcome
   Mumps::Implementation::outcome(const std::string &phase) const
   {
@@ -273,15 +277,13 @@ namespace MixedCracks
     data.icntl[print_level]        = 0;
     data.icntl[matrix_input]       = distributed_input;
     data.icntl[workspace_increase] = initial_workspace;
-    for (const auto &[name, number] : all_orderings)
-      if (name == ordering)
-        data.icntl[ordering_kind] = number;
-    if (ordering != "automatic")
-      // the parallel one has orderings of its own
-      data.icntl[analysis_kind] = sequential_analysis;
     if (data.sym != 0)
       data.icntl[scaling_kind] = no_scaling;
     data.n = matrix.m();
+    // before the copies of the pattern need their memory
+    outcome = my.take_ordering(matrix, symmetry, ordering);
+    if (!outcome.success)
+      return;
     my.take_pattern(data.sym != 0);
     my.take_owners();
     my.run(analysis);
@@ -365,11 +367,7 @@ namespace MixedCracks
   std::string
   Mumps::ordering() const
   {
-    const int used = implementation->data.infog[used_ordering];
-    for (const auto &[name, number] : all_orderings)
-      if (number == used)
-        return name;
-    return "number " + std::to_string(used);
+    return mumps_ordering_of(implementation->data.infog[used_ordering]);
   }
 
 

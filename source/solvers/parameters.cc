@@ -24,8 +24,9 @@ namespace MixedCracks
         linear.ordering,
         "Of the unknowns, for 'direct' with MUMPS: how many "
         "entries the factors have depends on it. 'automatic': AMD in "
-        "2-d, in 3-d MUMPS chooses. A MUMPS built without the one asked "
-        "for takes another; the log says which.",
+        "2-d, METIS in 3-d, where MUMPS chooses if the program was built "
+        "without METIS. A MUMPS built without the one asked for takes "
+        "another; the log says which.",
         Patterns::Selection(join_names(Mumps::orderings(), "|")));
       prm.add_parameter(
         "Relative tolerance",

@@ -16,6 +16,7 @@
 //   --dim 2|3  --largest UNKNOWNS  --smallest UNKNOWNS  --displacement
 //   --solver "block AMG"|direct|both  --worst (broken through, kappa = 1e-6)
 //   --tolerance 1e-8  --random (right hand side)
+//   --orderings AMD,PORD,METIS (of the study; without: all)
 #include "measurement.h"
 
 #include <base/log.h>
@@ -33,7 +34,8 @@ namespace
   struct Arguments
   {
     std::string study;
-    std::string solver    = "block AMG";
+    std::string solver = "block AMG";
+    std::string orderings;
     int         dim       = 2;
     double      smallest  = 1e4;
     double      largest   = 3e5;
@@ -69,6 +71,8 @@ namespace
         result.smallest = std::stod(argv[++i]);
       else if (option == "--solver")
         result.solver = argv[++i];
+      else if (option == "--orderings")
+        result.orderings = argv[++i];
       else if (option == "--tolerance")
         result.tolerance = std::stod(argv[++i]);
       else
@@ -416,9 +420,14 @@ namespace
   study_orderings(const Arguments &arguments)
   {
     ElasticSystem<dim>             system(basic(arguments));
-    const std::vector<std::string> names = Mumps::orderings();
+    const std::vector<std::string> names =
+      arguments.orderings.empty()
+        ? Mumps::orderings()
+        : dealii::Utilities::split_string_list(arguments.orderings);
     for (const std::string &name : names)
     {
+      forget_peak();
+      const Memory           before = memory();
       LinearOutcome          analysis, factorization, solution;
       auto                   result = system.right_hand_side;
       std::unique_ptr<Mumps> mumps;
@@ -430,8 +439,10 @@ namespace
         seconds_of([&]() { factorization = mumps->factorize(); });
       const double seconds_solve = seconds_of(
         [&]() { solution = mumps->solve(result, system.right_hand_side); });
+      const double kB = 1024. / system.fields.elastic.n_dofs();
       print(
-        format("| %d | %u | %u | %s | %s | %.3g | %.2f | %.2f | %.2f | %s |",
+        format("| %d | %u | %u | %s | %s | %.3g | %.2f | %.2f | %.2f | %.2f | "
+               "%s |",
                dim,
                dealii::Utilities::MPI::n_mpi_processes(MPI_COMM_WORLD),
                system.fields.elastic.n_dofs(),
@@ -441,6 +452,7 @@ namespace
                seconds_analysis,
                seconds_factors,
                seconds_solve,
+               (memory().peak - before.resident) * kB,
                factorization.reason.c_str()));
     }
   }
@@ -452,8 +464,9 @@ namespace
   {
     if (study == "orderings")
       return "| dim | ranks | unknowns | ordering | used | entries of factors "
-             "| analysis, s | factorisation, s | solve, s | |\n"
-             "|---|---|---|---|---|---|---|---|---|---|";
+             "| analysis, s | factorisation, s | solve, s | peak kB per "
+             "unknown | |\n"
+             "|---|---|---|---|---|---|---|---|---|---|---|";
     if (study == "throughput")
       return "| unknowns | ranks | product | million unknowns/s | bytes per "
              "unknown | GB/s | of memory, GB/s | % |\n"

@@ -18,6 +18,7 @@ class MixedCracks(CMakePackage):
     depends_on("dealii@9.4:+mpi+trilinos+p4est+muparser")
     depends_on("muparser")
     depends_on("mumps@5.5:+mpi")
+    depends_on("metis@5:")
     depends_on("python@3.11:", type="run")
     depends_on("py-matplotlib", type="run")
     depends_on("py-scipy", type="run")
