@@ -435,7 +435,7 @@ MODEL = [
             "block AMG"),
     several("no products with pressures that follow the boundary",
             [("Model/Formulation", "mixed"), ("Model/Strains", "finite"),
-             ("Model/Kinematics", "plane strain"),
+             ("Model/Kinematics", "plane strain"), ("Model/Energy split", "none"),
              ("Boundary conditions/Pressure", "right : 0.1*t"),
              ("Linear solver/Name", "matrix-free")],
             "Linear solver/Name", "'matrix-free'", "Boundary conditions/Pressure"),
