@@ -292,8 +292,9 @@ namespace MixedCracks
     {
       outcome.success = false;
       outcome.reason =
-        format("block AMG: the residual is %.2g times the tolerance after "
+        format("%s: the residual is %.2g times the tolerance after "
                "%u iterations",
+               options.is_matrix_free ? "matrix-free" : "block AMG",
                control.last_value() / tolerance,
                control.last_step());
       if (control.is_interrupted)
