@@ -50,7 +50,8 @@ namespace MixedCracks
                 unsigned int              n_points_per_cell,
                 const std::vector<Place> &places);
 
-    /// Of owned cell number @p cell; for all of them, then compress().
+    /// Of owned cell number @p cell; for all of them from 0 on, then
+    /// compress().
     void set(unsigned int                             cell,
              const std::vector<ElasticResponse<dim>> &responses);
 
@@ -85,8 +86,7 @@ namespace MixedCracks
 
     unsigned int                 n_batches = 0, n_points = 0;
     std::vector<Place>           places;
-    bool                         is_filled = false;
-    TangentKind                  usual     = TangentKind::isotropic;
+    TangentKind                  usual = TangentKind::isotropic;
     dealii::AlignedVector<Lanes> of_usual, of_symmetric;
     std::vector<std::size_t>     first_symmetric; // of a batch
     /// cells that are not as usual, until compress()
@@ -146,7 +146,6 @@ namespace MixedCracks
     n_batches = n_batches_now;
     n_points  = n_points_per_cell;
     places    = places_now;
-    is_filled = false;
     of_usual.clear();
     of_symmetric.clear();
     first_symmetric.assign(n_batches, nowhere);
@@ -159,8 +158,7 @@ namespace MixedCracks
   void
   LaneTangents<dim, Lanes>::begin(const TangentKind kind)
   {
-    usual     = kind;
-    is_filled = true;
+    usual = kind;
     std::fill(first_symmetric.begin(), first_symmetric.end(), nowhere);
     of_symmetric.clear();
     of_usual.resize(std::size_t(n_batches) * n_points * n_numbers(kind),
@@ -176,7 +174,7 @@ namespace MixedCracks
     const std::vector<ElasticResponse<dim>> &responses)
   {
     const bool is_finite = responses.front().finite.has_value();
-    if (cell == 0 || !is_filled)
+    if (cell == 0)
       begin(is_finite ? TangentKind::finite : TangentKind::isotropic);
     const unsigned int lane = places[cell].second;
     Lanes             *to =
@@ -215,8 +213,9 @@ namespace MixedCracks
   void
   LaneTangents<dim, Lanes>::compress()
   {
-    const std::size_t size      = n_points * n_numbers(TangentKind::symmetric);
-    std::size_t       n_special = 0;
+    constexpr unsigned int n_isotropic = n_numbers(TangentKind::isotropic);
+    const std::size_t      size = n_points * n_numbers(TangentKind::symmetric);
+    std::size_t            n_special = 0;
     for (const auto &entry : pending)
     {
       std::size_t &first = first_symmetric[places[entry.first].first];
@@ -236,15 +235,16 @@ namespace MixedCracks
           (to++)[0][lane] = value;
         continue;
       }
-      const Lanes *from = &of_usual[std::size_t(batch) * n_points * 5];
-      for (unsigned int q = 0; q < n_points; ++q, from += 5)
+      const Lanes *from =
+        &of_usual[std::size_t(batch) * n_points * n_isotropic];
+      for (unsigned int q = 0; q < n_points; ++q, from += n_isotropic)
       {
         for (unsigned int i = 0; i < n_strains; ++i)
           for (unsigned int j = i; j < n_strains; ++j)
             (to++)[0][lane] =
               (i == j ? (i < dim ? 1. : 0.5) * from[0][lane] : 0.) +
               (j < dim ? from[1][lane] : 0.);
-        for (unsigned int k = 2; k < 5; ++k)
+        for (unsigned int k = 2; k < n_isotropic; ++k)
           (to++)[0][lane] = from[k][lane];
       }
     }

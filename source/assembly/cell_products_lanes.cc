@@ -96,36 +96,21 @@ namespace MixedCracks
       multiply(double *result, const double *source) const override
       {
         read(source);
-        free.cell_loop(&MatrixFreeProducts::integrate,
-                       this,
-                       result_vector,
-                       source_vector,
-                       true);
-        write(result);
+        loop(&MatrixFreeProducts::integrate, result);
       }
 
       void
       pressure_forces(double *result, const double *source) const override
       {
         read(source);
-        free.cell_loop(&MatrixFreeProducts::integrate_pressure_forces,
-                       this,
-                       result_vector,
-                       source_vector,
-                       true);
-        write(result);
+        loop(&MatrixFreeProducts::integrate_pressure_forces, result);
       }
 
       void
       diagonal(double *result) const override
       {
         source_vector = 0.;
-        free.cell_loop(&MatrixFreeProducts::integrate_diagonal,
-                       this,
-                       result_vector,
-                       source_vector,
-                       true);
-        write(result);
+        loop(&MatrixFreeProducts::integrate_diagonal, result);
       }
 
       unsigned int
@@ -188,9 +173,15 @@ namespace MixedCracks
                   source_vector.begin());
       }
 
+      /// Over all batches, from source_vector.
       void
-      write(double *result) const
+      loop(void (MatrixFreeProducts::*integrals)(const Free &,
+                                                 Vector &,
+                                                 const Vector &,
+                                                 const Range &) const,
+           double *result) const
       {
+        free.cell_loop(integrals, this, result_vector, source_vector, true);
         std::copy(result_vector.begin(),
                   result_vector.begin() + result_vector.locally_owned_size(),
                   result);
