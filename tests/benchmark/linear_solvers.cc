@@ -198,6 +198,21 @@ namespace
 
 
 
+  // Uniform meshes from the smallest to the largest size asked for.
+  template <typename Body>
+  void
+  for_each_size(const Arguments &arguments, const Body &body)
+  {
+    ElasticSystemOptions options = basic(arguments);
+    const unsigned int   last    = options.refinements;
+    for (options.refinements = refinements_for(arguments, arguments.smallest);
+         options.refinements <= last;
+         ++options.refinements)
+      body(options);
+  }
+
+
+
   template <int dim>
   void
   study_sizes(const Arguments &arguments, const unsigned int adaptive_levels)
@@ -223,12 +238,7 @@ namespace
   void
   study_beside(const Arguments &arguments)
   {
-    ElasticSystemOptions options = basic(arguments);
-    const unsigned int   last    = options.refinements;
-    for (options.refinements = refinements_for(arguments, arguments.smallest);
-         options.refinements <= last;
-         ++options.refinements)
-    {
+    for_each_size(arguments, [&](ElasticSystemOptions options) {
       ElasticSystem<dim> system(options);
       const Measurement  amg =
         measure<dim>("block AMG", system, arguments.tolerance);
@@ -249,7 +259,7 @@ namespace
         direct.solve,
         amg.peak,
         direct.peak));
-    }
+    });
   }
 
 
@@ -260,12 +270,7 @@ namespace
   void
   study_products(const Arguments &arguments)
   {
-    ElasticSystemOptions options = basic(arguments);
-    const unsigned int   last    = options.refinements;
-    for (options.refinements = refinements_for(arguments, arguments.smallest);
-         options.refinements <= last;
-         ++options.refinements)
-    {
+    for_each_size(arguments, [&](ElasticSystemOptions options) {
       options.with_matrix = options.matrix_free = false;
       for (const bool matrix_free : {false, true})
       {
@@ -302,7 +307,7 @@ namespace
           values + measured.analysis + measured.setup + measured.solve,
           (after.peak - before.resident) * kB));
       }
-    }
+    });
   }
 
 
@@ -336,12 +341,8 @@ namespace
   void
   study_throughput(const Arguments &arguments)
   {
-    ElasticSystemOptions options = basic(arguments);
-    const unsigned int   last    = options.refinements;
-    const double         gb      = memory_bandwidth();
-    for (options.refinements = refinements_for(arguments, arguments.smallest);
-         options.refinements <= last;
-         ++options.refinements)
+    const double gb = memory_bandwidth();
+    for_each_size(arguments, [&](ElasticSystemOptions options) {
       for (const bool matrix_free : {false, true})
       {
         options.matrix_free = matrix_free;
@@ -382,6 +383,7 @@ namespace
           gb,
           1e-7 * bytes / seconds / gb));
       }
+    });
   }
 
 

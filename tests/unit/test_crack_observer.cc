@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // What is traced does not depend on the order of cells, and thereby not on the
 // number of ranks.
+#include "slit_mesh.h"
+
 #include <cracks/crack_observer.h>
 
 #include <deal.II/base/function.h>
@@ -17,6 +19,7 @@
 #include <map>
 
 using namespace MixedCracks;
+using namespace MixedCracks::Testing;
 using dealii::Point;
 
 namespace
@@ -43,18 +46,7 @@ namespace
       serial, 16, 0., size, /*colorize=*/true);
     auto [vertices, cells, faces] =
       dealii::GridTools::get_coarse_mesh_description(serial);
-    std::map<unsigned int, unsigned int> doubled;
-    for (unsigned int v = 0, n = vertices.size(); v < n; ++v)
-      if (is_on_slit(vertices[v]))
-      {
-        doubled[v] = vertices.size();
-        vertices.push_back(vertices[v]);
-      }
-    for (auto &cell : cells)
-      if (vertices[cell.vertices[3]][1] > 0.5 * size + 1e-12)
-        for (unsigned int &vertex : cell.vertices)
-          if (doubled.count(vertex) > 0)
-            vertex = doubled[vertex];
+    open_slit<2>(0.5 * size, is_on_slit, vertices, cells);
     if (reversed)
       std::reverse(cells.begin(), cells.end());
     mesh.create_triangulation(vertices, cells, {});

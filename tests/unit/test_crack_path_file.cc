@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // What is written about cracks, and what a resumed run keeps of it.
+#include "files_of_test.h"
+
 #include <output/crack_path_file.h>
 
 #include <gtest/gtest.h>
@@ -10,49 +12,19 @@
 #include <unistd.h>
 
 using namespace MixedCracks;
+using namespace MixedCracks::Testing;
 using dealii::Point;
 
 namespace
 {
-  class CrackPathFiles : public ::testing::Test
+  class CrackPathFiles : public FilesOfTest
   {
   protected:
-    const std::string directory = (std::filesystem::temp_directory_path() /
-                                   ("crack_path_" + std::to_string(getpid())))
-                                    .string();
+    CrackPathFiles()
+      : FilesOfTest("crack_path")
+    {}
+
     CrackPathFile file{directory, 0.03};
-
-    void
-    SetUp() override
-    {
-      std::filesystem::create_directories(directory);
-    }
-
-    void
-    TearDown() override
-    {
-      std::filesystem::remove_all(directory);
-    }
-
-    std::string
-    content(const std::string &name) const
-    {
-      std::ifstream      in(directory + '/' + name);
-      std::ostringstream out;
-      out << in.rdbuf();
-      return out.str();
-    }
-
-    unsigned int
-    count(const std::string &name, const std::string &word) const
-    {
-      const std::string text = content(name);
-      unsigned int      n    = 0;
-      for (std::size_t at = text.find(word); at != std::string::npos;
-           at             = text.find(word, at + 1))
-        ++n;
-      return n;
-    }
   };
 
   // from the notch to the right

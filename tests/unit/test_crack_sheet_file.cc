@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Files on cracks in space: what they hold, when rows are added, and what a
 // resumed run makes of them; speed and opening angle at fronts.
+#include "files_of_test.h"
 #include "imposed_sheets.h"
 
 #include <output/crack_sheet_file.h>
@@ -40,42 +41,12 @@ namespace
     return {sheet};
   }
 
-  class CrackSheetFiles : public ::testing::Test
+  class CrackSheetFiles : public FilesOfTest
   {
   protected:
-    void
-    SetUp() override
-    {
-      directory =
-        ::testing::TempDir() + "crack_sheet_" + std::to_string(getpid());
-      std::filesystem::create_directories(directory);
-    }
-
-    void
-    TearDown() override
-    {
-      std::filesystem::remove_all(directory);
-    }
-
-    std::string
-    content(const std::string &name) const
-    {
-      std::ifstream     file(directory + '/' + name);
-      std::stringstream text;
-      text << file.rdbuf();
-      return text.str();
-    }
-
-    unsigned int
-    count(const std::string &name, const std::string &word) const
-    {
-      const std::string text = content(name);
-      unsigned int      n    = 0;
-      for (auto at = text.find(word); at != std::string::npos;
-           at      = text.find(word, at + 1))
-        ++n;
-      return n;
-    }
+    CrackSheetFiles()
+      : FilesOfTest("crack_sheet")
+    {}
 
     // as the writer does
     std::string
@@ -92,8 +63,6 @@ namespace
                           front_rows(sheets, all_fronts(earlier), 0.5))
                : "";
     }
-
-    std::string directory;
   };
 } // namespace
 

@@ -2,6 +2,7 @@
 // What cracks in space have done to the body: the boundaries they join, where
 // they began, whether there are two parts.
 #include "imposed_sheets.h"
+#include "slit_mesh.h"
 
 #include <cracks/sheet_outcome.h>
 
@@ -49,18 +50,7 @@ namespace
         serial, {12, 10, 6}, Point<3>(), Point<3>(1.2, 1., 0.6), true);
       auto [vertices, cells, faces] =
         dealii::GridTools::get_coarse_mesh_description(serial);
-      std::map<unsigned int, unsigned int> doubled;
-      for (unsigned int v = 0, n = vertices.size(); v < n; ++v)
-        if (is_on_slit(vertices[v]))
-        {
-          doubled[v] = vertices.size();
-          vertices.push_back(vertices[v]);
-        }
-      for (auto &cell : cells)
-        if (vertices[cell.vertices[2]][1] > 0.5 + 1e-9)
-          for (unsigned int &vertex : cell.vertices)
-            if (doubled.count(vertex) > 0)
-              vertex = doubled[vertex];
+      open_slit<3>(0.5, is_on_slit, vertices, cells);
       mesh.create_triangulation(vertices, cells, {});
       for (const auto &cell : mesh.active_cell_iterators())
         for (const unsigned int f : cell->face_indices())
