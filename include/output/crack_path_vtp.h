@@ -9,18 +9,12 @@
 
 namespace MixedCracks
 {
-  /// "crack_path/crack_path_NNNNNN.vtp", below the output directory.
-  std::string crack_path_vtp_name(unsigned int step);
-
   /// The arc length at the points of a crack, mm.
   std::vector<double> arc_lengths(const Crack &crack);
 
   /// Paths of cracks as a VTK file of poly lines: arc_length_mm at points,
   /// crack and length_mm on lines. Of the cracks, points and length are used.
   std::string crack_path_vtp(const std::vector<Crack> &cracks);
-
-  /// Whether there is a file of that name that ends as crack_path_vtp() does.
-  bool is_whole_vtp(const std::string &file_name);
 } // namespace MixedCracks
 
 #endif

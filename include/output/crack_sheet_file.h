@@ -68,8 +68,6 @@ namespace MixedCracks
     std::string restore_front_files();
     std::string write_tables_and_lists() const;
     std::string write_lists() const;
-    std::string write_vtp(const std::string &name,
-                          const std::string &content) const;
 
     const std::string       directory;
     const double            tolerance; // mm

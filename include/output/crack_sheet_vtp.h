@@ -7,14 +7,10 @@
 #include <output/crack_front_rows.h>
 
 #include <string>
-#include <utility>
 #include <vector>
 
 namespace MixedCracks
 {
-  /// "FOLDER/FOLDER_NNNNNN.vtp", as "crack_sheet/crack_sheet_000012.vtp".
-  std::string vtp_name(const std::string &folder, unsigned int step);
-
   /// Cracks as a VTK file of triangles: normals at the points, crack and
   /// area_mm2, that of the crack, on triangles.
   std::string crack_sheet_vtp(const std::vector<CrackSheet> &sheets);
@@ -23,10 +19,6 @@ namespace MixedCracks
   /// opening_angle_deg at the points, NaN where they are not known; crack and
   /// front on lines.
   std::string crack_front_vtp(const std::vector<FrontRow> &rows);
-
-  /// A list of such files for ParaView, @p times_and_names.
-  std::string list_of_vtp(
-    const std::vector<std::pair<double, std::string>> &times_and_names);
 } // namespace MixedCracks
 
 #endif

@@ -20,13 +20,11 @@
 
 #include <output/crack_path_file.h>
 #include <output/crack_path_vtp.h>
-#include <output/run_files.h>
 #include <output/small_file.h>
+#include <output/vtp_files.h>
 
 #include <algorithm>
 #include <cstdlib>
-#include <filesystem>
-#include <fstream>
 #include <sstream>
 
 namespace MixedCracks
@@ -39,6 +37,7 @@ namespace MixedCracks
       "step,time_s,displacement_mm,crack,length_mm,kink_angle_deg,start,end,"
       "tip_x_mm,tip_y_mm,point,x_mm,y_mm,arc_length_mm\n";
     constexpr std::size_t n_columns = 14;
+    const std::string     folder    = "crack_path";
 
 
 
@@ -73,16 +72,6 @@ namespace MixedCracks
       return std::strtoul(columns[0].c_str(), nullptr, 10);
     }
 
-
-
-    // write all of a file; false when that fails
-    bool
-    write_file(const std::string &name, const std::string &content)
-    {
-      std::ofstream file(name);
-      file << content << std::flush;
-      return static_cast<bool>(file);
-    }
   } // namespace
 
 
@@ -174,7 +163,7 @@ namespace MixedCracks
   CrackPathFile::restore_vtp() const
   {
     if (steps.empty() ||
-        is_whole_vtp(directory + '/' + crack_path_vtp_name(steps.back().first)))
+        is_whole_vtp(directory + '/' + vtp_name(folder, steps.back().first)))
       return "";
     return write_vtp(steps.back().first, last);
   }
@@ -253,13 +242,8 @@ namespace MixedCracks
   CrackPathFile::write_vtp(const unsigned int        step,
                            const std::vector<Crack> &cracks) const
   {
-    std::error_code ignored; // writing fails then
-    std::filesystem::create_directories(directory + "/crack_path", ignored);
-    const std::string name = crack_path_vtp_name(step);
-    return note_run_files(directory, {name}) &&
-               write_file(directory + '/' + name, crack_path_vtp(cracks))
-             ? ""
-             : cannot_be_written(directory + '/' + name);
+    return write_vtp_file(
+      directory, vtp_name(folder, step), crack_path_vtp(cracks));
   }
 
 
@@ -267,14 +251,6 @@ namespace MixedCracks
   std::string
   CrackPathFile::write_pvd() const
   {
-    std::string content = "<?xml version=\"1.0\"?>\n"
-                          "<VTKFile type=\"Collection\" version=\"0.1\" "
-                          "byte_order=\"LittleEndian\">\n<Collection>\n";
-    for (const auto &[step, time] : steps)
-      content += "<DataSet timestep=\"" + csv_number(time) +
-                 "\" group=\"\" part=\"0\" file=\"" +
-                 crack_path_vtp_name(step) + "\"/>\n";
-    content += "</Collection>\n</VTKFile>\n";
-    return replace_small_file(pvd_name, content);
+    return replace_small_file(pvd_name, list_of_vtp(folder, steps));
   }
 } // namespace MixedCracks

@@ -5,32 +5,12 @@
 #include <base/finite_text.h>
 
 #include <output/crack_path_vtp.h>
+#include <output/vtp_files.h>
 
-#include <cstdio>
-#include <fstream>
-#include <iterator>
 #include <sstream>
 
 namespace MixedCracks
 {
-  namespace
-  {
-    const std::string end_of_file = "</VTKFile>\n";
-  }
-
-
-
-  std::string
-  crack_path_vtp_name(const unsigned int step)
-  {
-    char buffer[60];
-    std::snprintf(
-      buffer, sizeof(buffer), "crack_path/crack_path_%06u.vtp", step);
-    return buffer;
-  }
-
-
-
   std::vector<double>
   arc_lengths(const Crack &crack)
   {
@@ -61,11 +41,6 @@ namespace MixedCracks
       numbers << c << ' ';
       lengths << csv_number(cracks[c].length) << ' ';
     }
-    const auto array = [](const std::string &attributes,
-                          const std::string &content) {
-      return "<DataArray " + attributes + " format=\"ascii\">\n" + content +
-             "\n</DataArray>\n";
-    };
     const std::string real = "type=\"Float64\" ", whole = "type=\"Int32\" ";
     return "<?xml version=\"1.0\"?>\n"
            "<VTKFile type=\"PolyData\" version=\"0.1\" "
@@ -74,28 +49,16 @@ namespace MixedCracks
            std::to_string(n) + "\" NumberOfVerts=\"0\" NumberOfLines=\"" +
            std::to_string(cracks.size()) +
            "\" NumberOfStrips=\"0\" NumberOfPolys=\"0\">\n<PointData>\n" +
-           array(real + "Name=\"arc_length_mm\"", arcs.str()) +
+           vtp_array(real + "Name=\"arc_length_mm\"", arcs.str()) +
            "</PointData>\n<CellData>\n" +
-           array(whole + "Name=\"crack\"", numbers.str()) +
-           array(real + "Name=\"length_mm\"", lengths.str()) +
+           vtp_array(whole + "Name=\"crack\"", numbers.str()) +
+           vtp_array(real + "Name=\"length_mm\"", lengths.str()) +
            "</CellData>\n<Points>\n" +
-           array(real + "NumberOfComponents=\"3\"", points.str()) +
+           vtp_array(real + "NumberOfComponents=\"3\"", points.str()) +
            "</Points>\n<Lines>\n" +
-           array(whole + "Name=\"connectivity\"", connectivity.str()) +
-           array(whole + "Name=\"offsets\"", offsets.str()) +
-           "</Lines>\n</Piece>\n</PolyData>\n" + end_of_file;
+           vtp_array(whole + "Name=\"connectivity\"", connectivity.str()) +
+           vtp_array(whole + "Name=\"offsets\"", offsets.str()) +
+           "</Lines>\n</Piece>\n</PolyData>\n</VTKFile>\n";
   }
 
-
-
-  bool
-  is_whole_vtp(const std::string &file_name)
-  {
-    std::ifstream     file(file_name, std::ios::binary);
-    const std::string text(std::istreambuf_iterator<char>(file), {});
-    return text.size() >= end_of_file.size() &&
-           text.compare(text.size() - end_of_file.size(),
-                        end_of_file.size(),
-                        end_of_file) == 0;
-  }
 } // namespace MixedCracks

@@ -11,17 +11,14 @@
 
 #include <cracks/crack_sheet_front.h>
 
-#include <output/crack_path_vtp.h>
 #include <output/crack_sheet_file.h>
 #include <output/crack_sheet_vtp.h>
-#include <output/run_files.h>
 #include <output/small_file.h>
+#include <output/vtp_files.h>
 
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
-#include <filesystem>
-#include <fstream>
 #include <limits>
 #include <sstream>
 
@@ -198,7 +195,7 @@ namespace MixedCracks
       if (is_whole_vtp(directory + '/' + name))
         continue;
       const std::string message =
-        write_vtp(name, crack_front_vtp(by_step[step.first]));
+        write_vtp_file(directory, name, crack_front_vtp(by_step[step.first]));
       if (!message.empty())
         return message;
     }
@@ -231,32 +228,12 @@ namespace MixedCracks
          {std::pair(sheet_folder, &steps_with_sheets),
           std::pair(front_folder, &steps)})
     {
-      std::vector<std::pair<double, std::string>> files;
-      for (const auto &[step, time] : *written)
-        files.emplace_back(time, vtp_name(folder, step));
       const std::string message = replace_small_file(
-        directory + '/' + folder + ".pvd", list_of_vtp(files));
+        directory + '/' + folder + ".pvd", list_of_vtp(folder, *written));
       if (!message.empty())
         return message;
     }
     return "";
-  }
-
-
-
-  std::string
-  CrackSheetFile::write_vtp(const std::string &name,
-                            const std::string &content) const
-  {
-    const std::string path = directory + '/' + name;
-    std::error_code   ignored; // writing fails then
-    std::filesystem::create_directories(
-      std::filesystem::path(path).parent_path(), ignored);
-    if (!note_run_files(directory, {name}))
-      return cannot_be_written(path);
-    std::ofstream file(path);
-    file << content << std::flush;
-    return file ? "" : cannot_be_written(path);
   }
 
 
@@ -304,8 +281,10 @@ namespace MixedCracks
     for (const std::string &message :
          {append_to_file(directory + "/crack_sheet.csv", of_sheets),
           append_to_file(directory + "/crack_front.csv", of_fronts),
-          write_vtp(vtp_name(sheet_folder, step), crack_sheet_vtp(sheets)),
-          write_vtp(vtp_name(front_folder, step), crack_front_vtp(fronts))})
+          write_vtp_file(
+            directory, vtp_name(sheet_folder, step), crack_sheet_vtp(sheets)),
+          write_vtp_file(
+            directory, vtp_name(front_folder, step), crack_front_vtp(fronts))})
       if (!message.empty())
         return message;
     return write_lists();

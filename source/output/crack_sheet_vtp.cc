@@ -6,9 +6,9 @@
 #include <base/finite_text.h>
 
 #include <output/crack_sheet_vtp.h>
+#include <output/vtp_files.h>
 
 #include <cmath>
-#include <cstdio>
 #include <sstream>
 
 namespace MixedCracks
@@ -17,15 +17,6 @@ namespace MixedCracks
   {
     const std::string of_reals = "type=\"Float64\" ";
     const std::string of_whole = "type=\"Int32\" ";
-
-
-
-    std::string
-    vtp_array(const std::string &attributes, const std::string &content)
-    {
-      return "<DataArray " + attributes + " format=\"ascii\">\n" + content +
-             "\n</DataArray>\n";
-    }
 
 
 
@@ -72,16 +63,6 @@ namespace MixedCracks
              ">\n</Piece>\n</PolyData>\n</VTKFile>\n";
     }
   } // namespace
-
-
-
-  std::string
-  vtp_name(const std::string &folder, const unsigned int step)
-  {
-    char buffer[20];
-    std::snprintf(buffer, sizeof(buffer), "_%06u.vtp", step);
-    return folder + '/' + folder + buffer;
-  }
 
 
 
@@ -171,18 +152,4 @@ namespace MixedCracks
       offsets.str());
   }
 
-
-
-  std::string
-  list_of_vtp(
-    const std::vector<std::pair<double, std::string>> &times_and_names)
-  {
-    std::string content = "<?xml version=\"1.0\"?>\n"
-                          "<VTKFile type=\"Collection\" version=\"0.1\" "
-                          "byte_order=\"LittleEndian\">\n<Collection>\n";
-    for (const auto &[time, name] : times_and_names)
-      content += "<DataSet timestep=\"" + csv_number(time) +
-                 "\" group=\"\" part=\"0\" file=\"" + name + "\"/>\n";
-    return content + "</Collection>\n</VTKFile>\n";
-  }
 } // namespace MixedCracks
