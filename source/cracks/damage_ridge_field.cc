@@ -83,6 +83,8 @@ namespace MixedCracks
             1. - phase_field(cell->vertex_dof_index(v, 0));
         smallest = std::min(smallest, std::cbrt(cells.back().volume));
       }
+    // known already, as the cells around own nodes are: they may be read now
+    damage.update_ghost_values();
     smallest = Utilities::MPI::min(smallest, fields.communicator());
     if (smallest < std::numeric_limits<double>::max())
       cell_size = smallest;
