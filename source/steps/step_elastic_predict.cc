@@ -70,7 +70,8 @@ namespace MixedCracks
     Vector start(after);
     start              = accepted.elastic;
     bool in_proportion = false;
-    if (size > 0.)
+    // loads near the largest number have squares beyond it
+    if (size > 0. && std::isfinite(ratio))
     {
       Vector difference(after);
       difference.add(-ratio, before);
