@@ -140,6 +140,9 @@ namespace MixedCracks
                                const std::vector<ElasticResponse<dim>> &)>
         &body);
 
+    /// What one owned cell adds to the matrix, in that state.
+    void cell_jacobian(unsigned int cell, dealii::FullMatrix<double> &result);
+
     /// Call @p body with number and state of every owned cell.
     void visit_states(
       const Vector     &elastic,

@@ -3,6 +3,7 @@
 #define mixed_cracks_assembly_auxiliary_matrices_h
 
 #include <assembly/assembler.h>
+#include <assembly/fluid_like_cells.h>
 
 #include <discretization/linear_displacements.h>
 
@@ -53,6 +54,12 @@ namespace MixedCracks
       return pressure_matrix;
     }
 
+    const FluidLikeCells<dim> &
+    fluid_like() const
+    {
+      return fluid_like_cells;
+    }
+
   private:
     using Indices = std::vector<dealii::types::global_dof_index>;
 
@@ -78,6 +85,7 @@ namespace MixedCracks
 
     LinearAlgebra::SparseMatrix displacement_matrix;
     LinearAlgebra::SparseMatrix pressure_matrix;
+    FluidLikeCells<dim>         fluid_like_cells;
   };
 
   /// Stiffness against deformation with a gradient of a potential as

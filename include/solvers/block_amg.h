@@ -4,6 +4,7 @@
 
 #include <solvers/assembled_product.h>
 #include <solvers/chebyshev.h>
+#include <solvers/exact_block.h>
 #include <solvers/linear_solver.h>
 #include <solvers/multigrid.h>
 
@@ -100,6 +101,7 @@ namespace MixedCracks
     /// from coarse displacements to all; null where multigrid works on A
     const Epetra_CrsMatrix            *interpolation = nullptr;
     std::unique_ptr<ChebyshevSmoother> smoother;
+    std::unique_ptr<ExactBlock>        exact_block; // after the smoother
     std::unique_ptr<MassSolver>        mass_solver;
     /// of LinearSystem::matrix, if there is one
     std::unique_ptr<AssembledProduct> assembled;

@@ -44,6 +44,11 @@ namespace MixedCracks
     /// in the numbering of the whole, rows of displacements empty; positive
     /// definite; nullptr where there is no pressure
     const LinearAlgebra::SparseMatrix *pressure = nullptr;
+    /// of displacements that neither smoother nor subspace reduce, in numbers
+    /// of its own, to be solved for exactly; nullptr where there are none
+    const LinearAlgebra::SparseMatrix *block = nullptr;
+    /// positions of its owned rows among those of the whole
+    const std::vector<unsigned int> *rows_of_block = nullptr;
   };
 
   /// A matrix with what an iterative solver wants to know about its

@@ -177,6 +177,18 @@ namespace MixedCracks
 
 
 
+  template <int dim>
+  void
+  Assembler<dim>::cell_jacobian(const unsigned int  cell,
+                                FullMatrix<double> &result)
+  {
+    elastic_kernel.reinit(cells->geometry(cell), (*constants)[cell]);
+    elastic_kernel.set_points(tangent.of_matrix(cell));
+    elastic_kernel.jacobian(result);
+  }
+
+
+
   // D_q = sigma+ : eps = 2 psi+, for cell after cell and point after point
   template <int dim>
   DrivingForce

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// The two matrices that stand for parts of the elastic one in the
+// The matrices that stand for parts of the elastic one in the
 // preconditioner of BlockAmgSolver.
 //
 // 1. Displacements: u in Q2 contains the (multi)linear u of the same cells.
@@ -42,7 +42,10 @@
 //
 // at F = I the same, K = I and Q(n) n = m n.
 
+#include <assembly/acoustic_tensor.h>
 #include <assembly/auxiliary_matrices.h>
+
+#include <algorithm>
 
 namespace MixedCracks
 {
@@ -70,53 +73,14 @@ namespace MixedCracks
 
   namespace
   {
-    template <int dim>
-    Tensor<2, dim>
-    acoustic_tensor(const Tensor<4, dim> &tangent, const Tensor<1, dim> &n)
-    {
-      Tensor<2, dim> result;
-      for (unsigned int d = 0; d < dim; ++d)
-        for (unsigned int j = 0; j < dim; ++j)
-          for (unsigned int e = 0; e < dim; ++e)
-            result[d][e] += n[j] * (tangent[d][j][e] * n);
-      return result;
-    }
-
-
-
-    // the directions of axes and of diagonals of the cube
-    template <int dim>
-    std::vector<Tensor<1, dim>>
-    directions()
-    {
-      std::vector<Tensor<1, dim>> result;
-      for (unsigned int i = 0; i < dim; ++i)
-      {
-        Tensor<1, dim> axis;
-        axis[i] = 1.;
-        result.push_back(axis);
-      }
-      for (unsigned int signs = 0; signs < (1u << (dim - 1)); ++signs)
-      {
-        Tensor<1, dim> diagonal;
-        for (unsigned int i = 0; i < dim; ++i)
-          diagonal[i] = (signs >> i) % 2 == 1 ? -1. : 1.;
-        result.push_back(diagonal / diagonal.norm());
-      }
-      return result;
-    }
-
-
-
     // What the displacements add to the compliance of the pressure; 1/MPa.
     // Where the tangent is not elliptic, its size has to do.
     template <int dim>
     double
     compliance_of_displacements(const ElasticResponse<dim> &response)
     {
-      static const std::vector<Tensor<1, dim>> all = directions<dim>();
-      double                                   sum = 0.;
-      for (const Tensor<1, dim> &n : all)
+      double sum = 0.;
+      for (const Tensor<1, dim> &n : axes_and_diagonals<dim>())
       {
         const Tensor<2, dim> Q =
           acoustic_tensor(response.finite->stress_by_gradient, n);
@@ -125,7 +89,7 @@ namespace MixedCracks
           determinant(Q) != 0. ? force * (invert(Q) * force) : 0.;
         sum += compliance > 0. ? compliance : force * force / Q.norm();
       }
-      return sum / all.size();
+      return sum / axes_and_diagonals<dim>().size();
     }
 
 
@@ -224,6 +188,7 @@ namespace MixedCracks
     : fields(fields)
     , constraints(constraints)
     , shapes(FE_Q<dim>(1), fields.quadrature)
+    , fluid_like_cells(fields, constraints)
   {}
 
 
@@ -299,19 +264,25 @@ namespace MixedCracks
     if (!has_displacement() && !fields.layout.mixed)
       return;
     is_finite = assembler.is_finite();
+    std::vector<bool> fluid_like;
     assembler.visit_tangents(
       [&](const unsigned int                       cell,
           const CellGeometry<dim>                 &geometry,
           const std::vector<ElasticResponse<dim>> &responses) {
         if (has_displacement())
           add_displacements(cell, geometry, responses);
-        if (fields.layout.mixed)
-          add_pressures(cell, geometry, responses);
+        if (!fields.layout.mixed)
+          return;
+        add_pressures(cell, geometry, responses);
+        fluid_like.push_back(
+          std::any_of(responses.begin(), responses.end(), is_fluid_like<dim>));
       });
     if (has_displacement())
       displacement_matrix.compress(VectorOperation::add);
-    if (fields.layout.mixed)
-      pressure_matrix.compress(VectorOperation::add);
+    if (!fields.layout.mixed)
+      return;
+    pressure_matrix.compress(VectorOperation::add);
+    fluid_like_cells.assemble(fluid_like, assembler);
   }
 
 

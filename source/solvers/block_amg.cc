@@ -157,6 +157,8 @@ namespace MixedCracks
       // rows of displacements are not scaled
       if (solver.smoother)
         solver.smoother->smooth(result, source);
+      if (solver.exact_block)
+        solver.exact_block->smooth(result, source);
     }
 
   private:

@@ -69,6 +69,7 @@ namespace MixedCracks
     multigrid.reset();
     interpolation = nullptr;
     smoother.reset();
+    exact_block.reset();
     mass_solver.reset();
     assembled.reset();
     if (options.is_matrix_free)
@@ -110,6 +111,16 @@ namespace MixedCracks
         chosen[i] = false;
     smoother =
       std::make_unique<ChebyshevSmoother>(product(), row_scale, chosen);
+    if (auxiliary.block != nullptr)
+    {
+      exact_block = std::make_unique<ExactBlock>(product(),
+                                                 *auxiliary.block,
+                                                 *auxiliary.rows_of_block,
+                                                 system.symmetry,
+                                                 system.n_components);
+      if (!exact_block->is_usable())
+        exact_block.reset();
+    }
     interpolation = auxiliary.interpolation;
     for (std::vector<double> &mode : modes)
     {

@@ -136,6 +136,11 @@ namespace MixedCracks
       }
       if (fields.layout.mixed)
         result.pressure = &auxiliaries.pressure();
+      if (auxiliaries.fluid_like().has_block())
+      {
+        result.block         = &auxiliaries.fluid_like().block();
+        result.rows_of_block = &auxiliaries.fluid_like().rows();
+      }
       return result;
     };
     system.stop = [this](const std::string &finished) {

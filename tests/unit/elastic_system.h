@@ -49,6 +49,7 @@ namespace MixedCracks
       Strains      strains         = Strains::small;
       bool         with_matrix     = true;
       bool         matrix_free     = false; ///< as a product
+      double       stretch         = 1.;    ///< of the state, an even strain
       /// of the pressure, hence the regime of the split
       std::function<double(double x)> pressure = [](double) { return 1.; };
     };
@@ -110,7 +111,8 @@ namespace MixedCracks
           matrix_free.update(*assembler);
       }
 
-      /// The matrix where everything is stretched, for a phase field that is
+      /// The matrix where everything is stretched or compressed, for a phase
+      /// field that is
       /// @p broken_value in the broken part. The right hand side is what the
       /// top alone moved up leaves.
       void
@@ -160,6 +162,11 @@ namespace MixedCracks
           }
           if (options.mixed)
             result.pressure = &auxiliaries.pressure();
+          if (auxiliaries.fluid_like().has_block())
+          {
+            result.block         = &auxiliaries.fluid_like().block();
+            result.rows_of_block = &auxiliaries.fluid_like().rows();
+          }
           return result;
         };
         return result;
@@ -257,8 +264,8 @@ namespace MixedCracks
       {
         std::vector<std::function<double(const dealii::Point<dim> &)>> values(
           dim, [](const dealii::Point<dim> &) { return 0.; });
-        values[dim - 1] = [](const dealii::Point<dim> &p) {
-          return p[dim - 1];
+        values[dim - 1] = [this](const dealii::Point<dim> &p) {
+          return options.stretch * p[dim - 1];
         };
         if (options.mixed)
           values.push_back([this](const dealii::Point<dim> &p) {

@@ -196,6 +196,25 @@ TEST(BlockAmg, SolvesWithTensionAndCompressionAndEveryLaw)
 
 
 
+// Amor's split leaves them the part of their bulk modulus that is not the
+// pressure's, and kappa of their shear modulus: multigrid alone gives up
+TEST(BlockAmg, SolvesWhereBrokenCellsAreCompressed)
+{
+  for (const double kappa : {1e-2, 1e-4, 1e-6})
+    for (const double lambda : {1., 1e3})
+    {
+      SCOPED_TRACE(format("kappa = %g, lambda/mu = %g", kappa, lambda));
+      ElasticSystemOptions options = mixed(4, 1, lambda, kappa, Damage::half);
+      options.pressure             = [](double) { return -1.; };
+      options.stretch              = -1.;
+      EXPECT_LE(expect_direct_solution<2>(options, 1e-4), 40u);
+      options.refinements = 2;
+      EXPECT_LE(expect_direct_solution<3>(options, 1e-4), 60u);
+    }
+}
+
+
+
 TEST(BlockAmg, SolvesTheDisplacementFormulation)
 {
   for (const unsigned int degree : {1, 2})
@@ -409,6 +428,37 @@ TEST(AuxiliaryMatrices, InterpolateLinearDisplacementsExactly)
   EXPECT_GT(exact.linfty_norm(), 0.5);
   found.add(-1., exact);
   EXPECT_LT(found.linfty_norm(), 1e-12);
+}
+
+
+
+// With hanging nodes: K x, x not 0 in rows of the block only.
+TEST(AuxiliaryMatrices, HaveTheBlockOfCompressedBrokenCells)
+{
+  ElasticSystemOptions options = mixed(2, 1, 10., 1e-4, Damage::half);
+  options.stretch              = -1.;
+  ElasticSystem<3> system(options);
+  system.assemble_auxiliaries();
+  const FluidLikeCells<3> &cells = system.auxiliaries.fluid_like();
+  ASSERT_TRUE(cells.has_block());
+  Vector x(system.right_hand_side), product(x), of_block, found;
+  of_block.reinit(cells.block().locally_owned_range_indices(), MPI_COMM_WORLD);
+  found.reinit(of_block);
+  x = 0.;
+  for (std::size_t k = 0; k < cells.rows().size(); ++k)
+  {
+    of_block.begin()[k]        = std::sin(1. + k);
+    x.begin()[cells.rows()[k]] = of_block.begin()[k];
+  }
+  cells.block().vmult(found, of_block);
+  system.matrix.vmult(product, x);
+  for (std::size_t k = 0; k < cells.rows().size(); ++k)
+    EXPECT_NEAR(found.begin()[k], product.begin()[cells.rows()[k]], 1e-13);
+  // where it is opened the displacements keep nothing of their bulk modulus
+  options.stretch = 1.;
+  ElasticSystem<3> opened(options);
+  opened.assemble_auxiliaries();
+  EXPECT_FALSE(opened.auxiliaries.fluid_like().has_block());
 }
 
 
