@@ -37,7 +37,7 @@ def as_options(settings):
     return words
 
 
-def output_of(words, status=0, timeout=300, **keywords):
+def output_of(words, status=0, timeout=1200, **keywords):
     """What it says on both streams; its exit status has to be that one."""
     keywords.setdefault("env", environment())
     result = subprocess.run(words, stdin=subprocess.DEVNULL, stdout=subprocess.PIPE,
