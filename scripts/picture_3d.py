@@ -22,6 +22,7 @@ from report_parts import interpreter  # noqa: E402
 
 HEIGHT = 2.1  # of a panel, inches
 DPI = 120
+CAPTION = 8  # points
 
 
 def read_arguments():
@@ -85,14 +86,18 @@ def panels(moments, axes_names):
 
 def draw(all_panels):
     from matplotlib.figure import Figure
+    from matplotlib.textpath import TextPath
     from report_parts import curves
     widths = [HEIGHT * (high - low)[0] / (high - low)[1]
               for (low, high), _, _ in all_panels]
-    total, height = sum(widths) + 0.15 * len(widths), HEIGHT + 0.25
+    # a section of a slender body is narrower than what is said below it
+    places = [max(width, TextPath((0., 0.), caption, size=CAPTION).get_extents().width / 72.)
+              for width, (_, _, caption) in zip(widths, all_panels)]
+    total, height = sum(places) + 0.15 * len(places), HEIGHT + 0.25
     figure = Figure(figsize=(total, height), dpi=DPI)
     figure.set_facecolor("white")
     left = 0.05
-    for ((low, high), paint, caption), width in zip(all_panels, widths):
+    for ((low, high), paint, caption), width, place in zip(all_panels, widths, places):
         axes = figure.add_axes([left / total, 0.25 / height, width / total,
                                 HEIGHT / height])
         axes.set_xlim(low[0], high[0])
@@ -100,9 +105,9 @@ def draw(all_panels):
         axes.set_aspect("equal")
         axes.axis("off")
         paint(axes)
-        figure.text(left / total, 0.06 / height, caption, fontsize=8,
+        figure.text(left / total, 0.06 / height, caption, fontsize=CAPTION,
                     color=curves.GREY)
-        left += width + 0.15
+        left += place + 0.15
     return figure
 
 

@@ -17,6 +17,9 @@ if __name__ == "__main__":
 import matplotlib  # noqa: E402
 import numpy as np  # noqa: E402
 matplotlib.use("Agg")
+from matplotlib.backends.backend_agg import FigureCanvasAgg  # noqa: E402
+
+import picture_3d  # noqa: E402
 from report_parts import (animation, page, results, solids,  # noqa: E402
                           surfaces, vtu)
 
@@ -191,6 +194,15 @@ class Runs(unittest.TestCase):
         answer = self.picture("--steps", "3")
         self.assertEqual(answer.returncode, 2)
         self.assertIn("found 3, allowed are -1 to 0", answer.stderr)
+
+    def test_captions_do_not_meet(self):
+        slender = ((np.zeros(2), np.array([0.2, 1.])), lambda axes: None,
+                   "y = 0.5 mm; right: x, up: z")
+        figure = picture_3d.draw([slender] * 3)
+        renderer = FigureCanvasAgg(figure).get_renderer()
+        extents = [text.get_window_extent(renderer) for text in figure.texts]
+        for one, other in zip(extents, extents[1:]):
+            self.assertLess(one.x1, other.x0)
 
     def test_video(self):
         points, cells, _ = grid(4)
