@@ -4,7 +4,7 @@
 
 #include <cracks/crack_observer.h>
 
-#include <deal.II/base/timer.h>
+#include <base/phase_timer.h>
 
 #include <output/boundary_quantities.h>
 #include <output/checkpoint.h>
@@ -132,8 +132,7 @@ namespace MixedCracks
 
     /// Of all pieces. @p piece without times, which come from the clock and
     /// @p timer.
-    RunTotals totals(const RunTotals           &piece,
-                     const dealii::TimerOutput &timer) const;
+    RunTotals totals(const RunTotals &piece, const PhaseTimer &timer) const;
 
     /// Close the crack paths and write summary.json.
     void finish(const Summary &summary);

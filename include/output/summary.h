@@ -38,6 +38,9 @@ namespace MixedCracks
     double                   wall_time = 0.; ///< s
     /// seconds spent in each phase, the largest over the ranks
     std::map<std::string, double> phases;
+    /// MB of all ranks together in each phase of this piece, and at most
+    std::map<std::string, double> memory;
+    double                        peak_memory = 0.;
     std::vector<std::string>      warnings;
   };
 

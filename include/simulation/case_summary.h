@@ -19,6 +19,9 @@ namespace MixedCracks
     Outcome     cracks;
     double      fallen_force; ///< below this the force has fallen, N
     std::string linear_solver;
+    /// MB, see PhaseTimer
+    std::map<std::string, double> memory;
+    double                        peak_memory;
   };
 
   /// All that summary.json says. Collective.

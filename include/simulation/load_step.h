@@ -17,11 +17,11 @@ namespace MixedCracks
   public:
     using Callbacks = typename StepSolver<dim>::Callbacks;
 
-    LoadStep(const Body<dim>     &body,
-             const StopCheck     &stop,
-             const Callbacks     &callbacks,
-             dealii::TimerOutput &timer,
-             Log                 &log);
+    LoadStep(const Body<dim> &body,
+             const StopCheck &stop,
+             const Callbacks &callbacks,
+             PhaseTimer      &timer,
+             Log             &log);
 
     /// To be called when the mesh changed. Throws SolverError when the matrix
     /// cannot be analysed.
@@ -47,7 +47,7 @@ namespace MixedCracks
     LoadStep(const Body<dim>                     &body,
              const StopCheck                     &stop,
              const Callbacks                     &callbacks,
-             dealii::TimerOutput                 &timer,
+             PhaseTimer                          &timer,
              Log                                 &log,
              std::shared_ptr<FluidAssembler<dim>> fluid);
 

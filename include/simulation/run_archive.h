@@ -31,7 +31,7 @@ namespace MixedCracks
                LoadControl         &load_control,
                Recorder<dim>       &recorder,
                RunStop             &stop,
-               dealii::TimerOutput &timer,
+               PhaseTimer          &timer,
                Log                 &log);
 
     /// Find the newest checkpoint. Throws InputError when the case is another
@@ -76,7 +76,7 @@ namespace MixedCracks
     LoadControl             &load_control;
     Recorder<dim>           &recorder;
     RunStop                 &stop;
-    dealii::TimerOutput     &timer;
+    PhaseTimer              &timer;
     Log                     &log;
     Checkpoint<dim>          checkpoint;
     std::optional<RunRecord> resumed;

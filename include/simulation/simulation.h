@@ -73,7 +73,7 @@ namespace MixedCracks
 
     const Parameters<dim> &parameters;
     Log                   &log;
-    dealii::TimerOutput    timer;
+    PhaseTimer             timer;
     RunStop                stop;
     Body<dim>              body;
     MeshAdaptation<dim>    adaptation;

@@ -40,7 +40,7 @@ namespace MixedCracks
               const LoadControl   &load_control,
               RunStop             &stop,
               RunLog              &run_log,
-              dealii::TimerOutput &timer,
+              PhaseTimer          &timer,
               Log                 &log);
 
     /// Everything that depends on the mesh, after it changed.
@@ -83,7 +83,7 @@ namespace MixedCracks
     const LoadControl   &load_control;
     RunStop             &stop;
     RunLog              &run_log;
-    dealii::TimerOutput &timer;
+    PhaseTimer          &timer;
     Log                 &log;
   };
 } // namespace MixedCracks

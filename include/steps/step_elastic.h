@@ -12,7 +12,7 @@
 
 #include <base/stop_request.h>
 
-#include <deal.II/base/timer.h>
+#include <base/phase_timer.h>
 
 #include <discretization/constraints.h>
 #include <discretization/state.h>
@@ -59,7 +59,7 @@ namespace MixedCracks
                 const Constraints<dim> &constraints,
                 Assembler<dim>         &assembler,
                 Loads<dim>              loads,
-                dealii::TimerOutput    &timer,
+                PhaseTimer             &timer,
                 const SolverParameters &solver_parameters = {},
                 StopCheck               stop              = {});
 
@@ -238,7 +238,7 @@ namespace MixedCracks
     const Constraints<dim> &constraints;
     Assembler<dim>         &assembler;
     Loads<dim>              loads;
-    dealii::TimerOutput    &timer;
+    PhaseTimer             &timer;
 
     const std::string             solver_name;
     const LinearSolverOptions     solver_options;

@@ -5,7 +5,7 @@
 #include <assembly/assembler.h>
 #include <assembly/fluid_assembler.h>
 
-#include <deal.II/base/timer.h>
+#include <base/phase_timer.h>
 
 #include <discretization/constraints.h>
 #include <discretization/state.h>
@@ -36,7 +36,7 @@ namespace MixedCracks
                    const Material<dim>                 &material,
                    Assembler<dim>                      &assembler,
                    std::shared_ptr<FluidAssembler<dim>> fluid,
-                   dealii::TimerOutput                 &timer,
+                   PhaseTimer                          &timer,
                    StopCheck                            stop = {});
 
     /// To be called when the mesh changed.
@@ -60,7 +60,7 @@ namespace MixedCracks
     const Constraints<dim>                    &constraints;
     Assembler<dim>                            &assembler;
     const std::shared_ptr<FluidAssembler<dim>> fluid;
-    dealii::TimerOutput                       &timer;
+    PhaseTimer                                &timer;
     const StopCheck                            stop;
     ActiveSetSolver                            solver;
     /// the matrix does not depend on the phase field, so that one active-set

@@ -346,13 +346,11 @@ namespace MixedCracks
 
   template <int dim>
   RunTotals
-  Recorder<dim>::totals(const RunTotals &piece, const TimerOutput &timer) const
+  Recorder<dim>::totals(const RunTotals &piece, const PhaseTimer &timer) const
   {
     RunTotals now = piece;
     now.wall_time = wall_clock.wall_time();
-    for (const auto &[name, seconds] :
-         timer.get_summary_data(TimerOutput::total_wall_time))
-      now.phases[name] = Utilities::MPI::max(seconds, fields.communicator());
+    now.phases    = timer.seconds();
     return earlier + now;
   }
 

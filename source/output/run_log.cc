@@ -129,7 +129,11 @@ namespace MixedCracks
                     summary.factorizations,
                     summary.solves,
                     summary.wall_time));
-    std::string text = "seconds:";
+    std::string text = format("MB: at most %.0f;", summary.peak_memory);
+    for (const auto &[name, megabytes] : summary.memory)
+      text += format(" %s %.0f;", name.c_str(), megabytes);
+    log.line(text);
+    text = "seconds:";
     for (const auto &[name, seconds] : summary.phases)
       text += format(" %s %.2f;", name.c_str(), seconds);
     log.line(text);

@@ -168,6 +168,10 @@ namespace MixedCracks
     json["seconds_per_phase"] = Json::object();
     for (const auto &[name, seconds] : summary.phases)
       json["seconds_per_phase"][name] = number(seconds);
+    json["peak_memory_MB"]      = number(summary.peak_memory);
+    json["memory_MB_per_phase"] = Json::object();
+    for (const auto &[name, megabytes] : summary.memory)
+      json["memory_MB_per_phase"][name] = number(megabytes);
     if (!events.empty())
       json["events"] = events_in_json(events);
     json["warnings"] = summary.warnings;

@@ -61,6 +61,8 @@ namespace MixedCracks
     summary.solves         = end.cost.solves;
     summary.wall_time      = end.cost.wall_time;
     summary.phases         = end.cost.phases;
+    summary.memory         = end.memory;
+    summary.peak_memory    = end.peak_memory;
     summary.warnings       = before_the_run.warnings();
     for (const std::string &warning :
          {recorder.slits().warning(),

@@ -43,7 +43,7 @@ namespace MixedCracks
   LoadStep<dim>::LoadStep(const Body<dim> &body,
                           const StopCheck &stop,
                           const Callbacks &callbacks,
-                          TimerOutput     &timer,
+                          PhaseTimer      &timer,
                           Log             &log)
     : LoadStep(body,
                stop,
@@ -59,7 +59,7 @@ namespace MixedCracks
   LoadStep<dim>::LoadStep(const Body<dim>                     &body,
                           const StopCheck                     &stop,
                           const Callbacks                     &callbacks,
-                          TimerOutput                         &timer,
+                          PhaseTimer                          &timer,
                           Log                                 &log,
                           std::shared_ptr<FluidAssembler<dim>> fluid)
     : assembler(body.fields,

@@ -17,7 +17,7 @@ namespace MixedCracks
                               LoadControl         &load_control,
                               Recorder<dim>       &recorder,
                               RunStop             &stop,
-                              dealii::TimerOutput &timer,
+                              PhaseTimer          &timer,
                               Log                 &log)
     : signature(signature)
     , body(body)
@@ -139,9 +139,9 @@ namespace MixedCracks
                          const RunEnding &ending,
                          const RunTotals &cost)
   {
-    dealii::TimerOutput::Scope scope(timer, "output");
-    const double               begin = stop.clock();
-    RunRecord                  record;
+    PhaseTimer::Scope scope(timer, "output");
+    const double      begin = stop.clock();
+    RunRecord         record;
     record.signature     = signature.problem;
     record.attempt       = signature.attempt;
     record.end           = ending.end;

@@ -9,8 +9,6 @@
 #include <simulation/simulation.h>
 #include <simulation/simulation_setup.h>
 
-#include <iostream>
-
 namespace MixedCracks
 {
   using namespace dealii;
@@ -23,10 +21,7 @@ namespace MixedCracks
                               Log                   &log)
     : parameters(parameters)
     , log(log)
-    , timer(communicator,
-            std::cout,
-            TimerOutput::never,
-            TimerOutput::wall_times)
+    , timer(communicator)
     , stop(communicator, parameters.output.wall_time_limit, log)
     , body(parameters, communicator)
     , adaptation(body)
@@ -53,7 +48,7 @@ namespace MixedCracks
   Simulation<dim>::preflight(const bool only_check)
   {
     {
-      TimerOutput::Scope scope(timer, "setup");
+      PhaseTimer::Scope scope(timer, "setup");
       if (archive.is_resumed())
         archive.restore_body();
       else if (only_check)
@@ -229,7 +224,7 @@ namespace MixedCracks
   Simulation<dim>::record(const StatisticsRow &row, const State &state)
   {
     {
-      TimerOutput::Scope scope(timer, "output"); // a checkpoint has its own
+      PhaseTimer::Scope scope(timer, "output"); // a checkpoint has its own
       recorder.add(row, state);
       run_log.step(recorder.rows());
       if (const std::string line = recorder.watch_slits(state); !line.empty())
@@ -286,7 +281,9 @@ namespace MixedCracks
                  cost,
                  crack_observer.trace(last).outcome,
                  load_control.fallen_force(),
-                 trial_step->solvers.elastic.linear_solver().description()});
+                 trial_step->solvers.elastic.linear_solver().description(),
+                 timer.memory(),
+                 timer.peak_memory()});
     recorder.finish(summary);
     run_log.end(outcome.reason, summary, recorder.rows());
     throw_on_all_ranks(log.failure(), body.communicator());

@@ -114,7 +114,7 @@ namespace MixedCracks
                             const LoadControl   &load_control,
                             RunStop             &stop,
                             RunLog              &run_log,
-                            TimerOutput         &timer,
+                            PhaseTimer          &timer,
                             Log                 &log)
     : solvers(
         body,
@@ -158,7 +158,7 @@ namespace MixedCracks
   TrialStep<dim>::refine(State &accepted, State &trial)
   {
     {
-      TimerOutput::Scope scope(timer, "refinement");
+      PhaseTimer::Scope scope(timer, "refinement");
       adaptation.refine(trial, {&accepted, &trial, &recorder.peak_state()});
     }
     recorder.note_refinement();
@@ -197,7 +197,7 @@ namespace MixedCracks
                           const State       &state,
                           const StepOutcome &outcome)
   {
-    TimerOutput::Scope scope(timer, "output");
+    PhaseTimer::Scope scope(timer, "output");
     return recorder.measure(state,
                             solvers.elastic.external_work(before, state),
                             effort_of(outcome),

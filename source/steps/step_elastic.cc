@@ -26,7 +26,7 @@ namespace MixedCracks
                                 const Constraints<dim> &constraints,
                                 Assembler<dim>         &assembler,
                                 Loads<dim>              loads,
-                                TimerOutput            &timer,
+                                PhaseTimer             &timer,
                                 const SolverParameters &solver_parameters,
                                 StopCheck               stop)
     : fields(fields)
@@ -51,7 +51,7 @@ namespace MixedCracks
   LinearOutcome
   ElasticStep<dim>::reinit()
   {
-    TimerOutput::Scope scope(timer, "setup");
+    PhaseTimer::Scope scope(timer, "setup");
     assembler.reinit();
     loads.at_points.reinit(fields, constraints.elastic_hanging_nodes());
     if (loads.fluid)
@@ -148,12 +148,7 @@ namespace MixedCracks
     };
     // in the middle of a solution, see solve_for_correction()
     system.as_set_up = [this](const std::function<void()> &work) {
-      timer.leave_subsection("solve");
-      {
-        TimerOutput::Scope scope(timer, "factorisation");
-        work();
-      }
-      timer.enter_subsection("solve");
+      timer.count_elsewhere("solve", "factorisation", work);
     };
     return system;
   }
@@ -236,7 +231,7 @@ namespace MixedCracks
   DrivingForce
   ElasticStep<dim>::driving_force() const
   {
-    TimerOutput::Scope scope(timer, "assembly");
+    PhaseTimer::Scope scope(timer, "assembly");
     return assembler.driving_force();
   }
 

@@ -170,7 +170,7 @@ namespace MixedCracks
     along        = prescribed;
     Vector image = fields.owned_vector(fields.elastic_dofs);
     {
-      TimerOutput::Scope scope(timer, "assembly");
+      PhaseTimer::Scope scope(timer, "assembly");
       assembler.tangent_times(
         along, constraints.elastic_hanging_nodes(), image);
       follower.add_tangent_times(

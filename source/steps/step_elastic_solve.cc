@@ -88,7 +88,7 @@ namespace MixedCracks
   ResidualSize
   ElasticStep<dim>::evaluate_residual(const State &trial)
   {
-    TimerOutput::Scope scope(timer, "assembly");
+    PhaseTimer::Scope scope(timer, "assembly");
     assessment = assembler.elastic_residual(trial.elastic,
                                             trial.lagged_phase_field,
                                             constraints.elastic_hanging_nodes(),
@@ -138,7 +138,7 @@ namespace MixedCracks
         assessment.degradation_change <= allowed_change)
       return {};
     {
-      TimerOutput::Scope scope(timer, "assembly");
+      PhaseTimer::Scope scope(timer, "assembly");
       if (solver->needs_matrix())
       {
         assembler.elastic_matrix(constraints.elastic_corrections(), matrix);
@@ -149,7 +149,7 @@ namespace MixedCracks
     }
     if (ask_to_stop("assembly of the matrix"))
       return {false, 0, asked_to_stop};
-    TimerOutput::Scope  scope(timer, "factorisation");
+    PhaseTimer::Scope   scope(timer, "factorisation");
     const unsigned int  before  = solver->n_setups();
     const LinearOutcome outcome = solver->factorize();
     count.factorizations += solver->n_setups() - before;
@@ -166,7 +166,7 @@ namespace MixedCracks
   LinearOutcome
   ElasticStep<dim>::solve_for_correction(const double relative_tolerance)
   {
-    TimerOutput::Scope scope(timer, "solve");
+    PhaseTimer::Scope scope(timer, "solve");
     ++count.solves;
     crosses_regimes = false;
     search_begins   = true;
@@ -234,14 +234,14 @@ namespace MixedCracks
   {
     problem.is_admissible = [&]() { return is_admissible(trial); };
     problem.potential     = [&]() {
-      TimerOutput::Scope scope(timer, "assembly");
+      PhaseTimer::Scope scope(timer, "assembly");
       return potential.value(trial.elastic, trial.lagged_phase_field) -
              work_along_search(trial.elastic, iterate);
     };
     problem.slope = [&]() {
-      TimerOutput::Scope scope(timer, "assembly");
-      Vector             along = fields.ghosted_vector(fields.elastic_dofs);
-      along                    = correction;
+      PhaseTimer::Scope scope(timer, "assembly");
+      Vector            along = fields.ghosted_vector(fields.elastic_dofs);
+      along                   = correction;
       return potential.slope(along, trial.lagged_phase_field) -
              work_along_search(trial.elastic, correction);
     };
@@ -260,7 +260,7 @@ namespace MixedCracks
       return;
     problem.residual = [&]() {
       {
-        TimerOutput::Scope scope(timer, "assembly");
+        PhaseTimer::Scope scope(timer, "assembly");
         present_potential =
           potential.value(trial.elastic, trial.lagged_phase_field);
         if (std::isfinite(present_potential))

@@ -74,7 +74,7 @@ namespace MixedCracks
     const Material<dim>                 &material,
     Assembler<dim>                      &assembler,
     std::shared_ptr<FluidAssembler<dim>> fluid,
-    TimerOutput                         &timer,
+    PhaseTimer                          &timer,
     StopCheck                            stop)
     : fields(fields)
     , constraints(constraints)
@@ -94,9 +94,9 @@ namespace MixedCracks
   void
   PhaseFieldStep<dim>::reinit()
   {
-    TimerOutput::Scope scope(timer, "setup");
-    const DofSets     &dofs    = fields.phase_field_dofs;
-    const auto        &hanging = constraints.phase_field_hanging_nodes();
+    PhaseTimer::Scope scope(timer, "setup");
+    const DofSets    &dofs    = fields.phase_field_dofs;
+    const auto       &hanging = constraints.phase_field_hanging_nodes();
     make_sparse_matrix(fields.phase_field, dofs, hanging, matrix);
     for (LinearAlgebra::Vector *vector :
          {&iterate, &residual, &lower, &upper, &mass})
@@ -157,7 +157,7 @@ namespace MixedCracks
                              const DrivingForce          &driving_force,
                              State                       &trial)
   {
-    TimerOutput::Scope scope(timer, "phase field");
+    PhaseTimer::Scope scope(timer, "phase field");
     set_bounds(obstacle, fixed);
     iterate                      = trial.phase_field;
     const auto          &hanging = constraints.phase_field_hanging_nodes();

@@ -18,7 +18,8 @@ QUICK = ["Geometry/Slit square/Slit height=0.5",
 NOT_COMPARED = {"wall_time_s", "factorizations", "newton_iterations",
                 "energy_imbalance_mJ", "linear_iterations", "coupling_change",
                 "rejected_steps"}
-NOT_OF_THE_RESULT = {"ranks", "seconds_per_phase", "wall_time_s",
+NOT_OF_THE_RESULT = {"ranks", "seconds_per_phase", "peak_memory_MB",
+                     "memory_MB_per_phase", "wall_time_s",
                      "factorizations", "newton_iterations", "rejected_steps"}
 
 

@@ -35,6 +35,8 @@ MAY_DIFFER = {
     "summary.json": {
         "wall_time_s": MACHINE,
         "seconds_per_phase": MACHINE,
+        "peak_memory_MB": MACHINE,
+        "memory_MB_per_phase": MACHINE,
         "revision": "may change between two pieces",
         "ranks": RANKS,
         "linear_solver": RANKS,

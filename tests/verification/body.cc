@@ -13,7 +13,6 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <iostream>
 #include <limits>
 #include <sstream>
 
@@ -84,10 +83,7 @@ namespace MixedCracks
           fields,
           prescribed_components(parameters,
                                 dim + (parameters.model.mixed() ? 1 : 0)))
-      , timer(MPI_COMM_WORLD,
-              std::cout,
-              TimerOutput::never,
-              TimerOutput::wall_times)
+      , timer(MPI_COMM_WORLD)
     {
       make_mesh_of(coarse_mesh);
       cell_size =

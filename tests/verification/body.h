@@ -97,7 +97,7 @@ namespace MixedCracks
       State                                             state;
 
     private:
-      dealii::TimerOutput               timer;
+      PhaseTimer                        timer;
       std::unique_ptr<Assembler<dim>>   assembler;
       std::unique_ptr<ElasticStep<dim>> elastic_step;
     };
