@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 """Gives the program bad input and looks at what it says.
 
-    run_bad_inputs.py EXECUTABLE CASE_READER MPIRUN RANKS [part of a case's name]
+    run_bad_inputs.py EXECUTABLE MPIRUN RANKS [part of a case's name]
 
 Whatever is wrong, the program has to leave within a minute with the right
 exit status, say so once (on one rank) on the error stream in words that name
@@ -10,10 +10,10 @@ what was found and what is allowed, without traces of the inside, and leave no
 files. The cases are in bad_inputs.py and bad_inputs_*.py. Prints every offence; exit
 status 1 when there is one.
 
-What is found when the case is read and checked is so before any rank has done
-anything of its own. Of such cases every eighth runs in full; on one rank the others
-are read by CASE_READER, all in one process (case_reader.cc). Cases that are marked as
-found later run in full on each number of ranks.
+Every eighth case starts the program; the others do not wait for its libraries
+(program.runner()). What is found when the case is read and checked is so before any
+rank has done anything of its own: of such cases every 32nd is tried on several ranks,
+and all that are marked as found later.
 """
 import concurrent.futures
 import os
@@ -22,13 +22,14 @@ import signal
 import subprocess
 import sys
 import tempfile
-import threading
 import time
 
-from bad_inputs import BASE, CASES as CASES_2D
-from bad_inputs_3d import CASES as CASES_3D
-from bad_inputs_finite import CASES as CASES_FINITE
-from bad_inputs_periodic import CASES as CASES_PERIODIC
+sys.path.append(os.path.join(os.path.dirname(os.path.abspath(__file__)), os.pardir))
+import program  # noqa: E402
+from bad_inputs import BASE, CASES as CASES_2D  # noqa: E402
+from bad_inputs_3d import CASES as CASES_3D  # noqa: E402
+from bad_inputs_finite import CASES as CASES_FINITE  # noqa: E402
+from bad_inputs_periodic import CASES as CASES_PERIODIC  # noqa: E402
 
 CASES = CASES_2D + CASES_3D + CASES_FINITE + CASES_PERIODIC
 
@@ -148,7 +149,7 @@ def offences(group, command, folder):
     words = arguments(case) if len(group) == 1 else \
         [word for each in group for word in ("--set", each["set"][0])] + ["case.prm"]
     status, out, err = run(command + words, folder) if isinstance(command, list) \
-        else command.read(words, folder)
+        else command.run(words, folder)
     yield from check_output(status, out, err, case.get("status", 2))
     message = message_of(err)
     if len(group) == 1:
@@ -184,46 +185,26 @@ def groups(cases):
     return result
 
 
-class Reader:
-    """Does what --case-id does, for one case after the other."""
-
-    def __init__(self, executable):
-        self.process = subprocess.Popen([executable], text=True, errors="replace",
-                                        stdin=subprocess.PIPE, stdout=subprocess.PIPE)
-        self.lock = threading.Lock()
-
-    def read(self, words, folder):
-        with self.lock:
-            self.process.stdin.write("\t".join([folder, *words]) + "\n")
-            self.process.stdin.flush()
-            status, _, text = self.process.stdout.readline().partition("\t")
-        return int(status or 1), "", MESSAGE + text.replace("\v", "\n")
-
-    def end(self):
-        self.process.communicate()
-
-
-def runs(cases, every, on_ranks, reader):
-    """[(cases that are tried at once, the command or what reads them)]"""
-    result, n_read = [], 0
-    for group in groups(cases):
-        in_full = "later" in group[0] or n_read % every == 0
-        n_read += "later" not in group[0]
-        if in_full or (reader and "arguments" in group[0]):
-            result.append((group, on_ranks))
-        elif reader:
-            result.append((group, reader))
+def runs(cases, in_full, tried, on_ranks, runner):
+    """[(cases that are tried at once, the command or what runs them)]; of the cases one
+    of so many is run by the command, and one of so many of those that are found when
+    the case is read is tried at all."""
+    result = []
+    for n, group in enumerate(groups(cases)):
+        if "later" in group[0] or n % tried == 0:
+            is_full = "arguments" in group[0] or n % in_full == 0
+            result.append((group, on_ranks if is_full else runner))
     return result
 
 
 def main():
-    if len(sys.argv) < 5:
+    if len(sys.argv) < 4:
         sys.exit(__doc__)
-    executable, reader, launcher, ranks = sys.argv[1:5]
-    wanted = sys.argv[5] if len(sys.argv) > 5 else ""
+    executable, launcher, ranks = sys.argv[1:4]
+    wanted = sys.argv[4] if len(sys.argv) > 4 else ""
     executable = os.path.abspath(executable)
     on_ranks = [executable] if ranks == "1" else [launcher, "-n", ranks, executable]
-    reader = Reader(os.path.abspath(reader)) if ranks == "1" else None
+    runner = program.runner(executable, launcher, int(ranks))
     names = [case["name"] for case in CASES]
     twice = {name for name in names if names.count(name) > 1}
     if twice:
@@ -237,8 +218,8 @@ def main():
 
     # two at a time: most of a run is the loading of libraries
     pool = concurrent.futures.ThreadPoolExecutor(max_workers=2)
-    for group, found in pool.map(examine, runs(cases, 1 if wanted else 8, on_ranks,
-                                               reader)):
+    in_full, tried = (1, 1) if wanted else (8, 1 if ranks == "1" else 32)
+    for group, found in pool.map(examine, runs(cases, in_full, tried, on_ranks, runner)):
         failed = len(found) > 1
         n_failed += failed
         n_cases += len(group)
@@ -248,8 +229,6 @@ def main():
             for text in found:
                 print("      " + text)
             sys.stdout.flush()
-    if reader:
-        reader.end()
     print("%d bad inputs, %d runs failed, %.0f s"
           % (n_cases, n_failed, time.time() - start))
     return 1 if n_failed or not n_cases else 0

@@ -14,7 +14,7 @@ import unittest
 sys.path.append(str(pathlib.Path(__file__).resolve().parents[1]))
 import program  # noqa: E402
 
-EXECUTABLE, RANKS, MPIRUN = sys.argv[1], sys.argv[2], sys.argv[3:]
+EXECUTABLE, RANKS, MPIRUN = sys.argv[1], int(sys.argv[2]), sys.argv[3]
 
 COMMON = """
 subsection Model
@@ -133,9 +133,9 @@ class Run:
             (directory / "case.prm").write_text(COMMON + text, encoding="utf-8")
             for file, content in files:
                 (directory / file).write_text(content, encoding="utf-8")
-            self.output = program.output_of(
-                [*program.command(EXECUTABLE, MPIRUN, RANKS), "case.prm", "--output",
-                 "results", *program.as_options(settings)], status, cwd=directory)
+            self.output = program.runner(EXECUTABLE, MPIRUN, RANKS).output_of(
+                ["case.prm", "--output", "results", *program.as_options(settings)],
+                status, directory)
             if status != 2:
                 results = directory / "results"
                 self.summary = program.summary(results)

@@ -16,7 +16,7 @@ import unittest
 sys.path.append(str(pathlib.Path(__file__).resolve().parents[1]))
 import program  # noqa: E402
 
-COMMAND = []
+PROGRAM = []
 LAMBDA, MU, G_C, LENGTH, KAPPA, RELAXATION = 100., 80., 1., 1., 1e-3, 0.7
 
 # steps so long that the lag shows
@@ -110,9 +110,8 @@ class Run:
         with tempfile.TemporaryDirectory() as folder:
             folder = pathlib.Path(folder)
             (folder / "case.prm").write_text(case, encoding="utf-8")
-            self.log = program.output_of(
-                [*COMMAND, str(folder / "case.prm"), "--output",
-                 str(folder / "results"), *arguments,
+            self.log = program.runner(*PROGRAM).output_of(
+                [folder / "case.prm", "--output", folder / "results", *arguments,
                  *program.as_options((*settings, "Output/Field format=none"))])
             if "--check" in arguments:
                 return
@@ -267,5 +266,5 @@ class ImplausibleNumbersAreWarnedOf(unittest.TestCase):
 if __name__ == "__main__":
     if len(sys.argv) != 4:
         sys.exit(__doc__)
-    COMMAND = program.command(sys.argv[1], [sys.argv[2]], sys.argv[3])
+    PROGRAM = [*sys.argv[1:3], int(sys.argv[3])]
     unittest.main(argv=sys.argv[:1])

@@ -14,7 +14,7 @@ import unittest
 sys.path.append(str(pathlib.Path(__file__).resolve().parents[1]))
 import program  # noqa: E402
 
-EXECUTABLE, RANKS, MPIRUN = sys.argv[1], sys.argv[2], sys.argv[3:]
+EXECUTABLE, RANKS, MPIRUN = sys.argv[1], int(sys.argv[2]), sys.argv[3]
 GALLERY = pathlib.Path(__file__).resolve().parents[2] / "parameters" / "gallery"
 
 
@@ -25,9 +25,8 @@ class Gallery(unittest.TestCase):
         self.folder = pathlib.Path(temporary.name)
 
     def start(self, case, *options, settings=(), status=0, directory="results"):
-        return program.output_of(
-            [*program.command(EXECUTABLE, MPIRUN, RANKS), str(GALLERY / (case + ".prm")),
-             "--output", str(self.folder / directory), *options,
+        return program.runner(EXECUTABLE, MPIRUN, RANKS).output_of(
+            [GALLERY / (case + ".prm"), "--output", self.folder / directory, *options,
              *program.as_options(["Output/Field format=none", *settings])], status)
 
     def last(self, case, *settings, directory="results"):

@@ -19,7 +19,7 @@ GALLERY = ROOT / "parameters" / "gallery"
 
 class Gallery:
     def __init__(self, executable, launcher, ranks, directory):
-        self.words = program.command(executable, (launcher,), int(ranks))
+        self.runner = program.runner(executable, launcher, int(ranks))
         self.directory = pathlib.Path(directory)
         self.n_runs = 0
 
@@ -27,9 +27,8 @@ class Gallery:
         self.n_runs += 1
         output = self.directory / str(self.n_runs)
         case = case or GALLERY / (name + ".prm")
-        program.output_of([*self.words, str(case), "--output", str(output),
-                           *program.as_options(("Output/Field format=none",
-                                                *settings))])
+        self.runner.output_of([case, "--output", output, *program.as_options(
+            ("Output/Field format=none", *settings))])
         return program.rows(output)[-1]
 
 
@@ -135,12 +134,12 @@ def test_resume(gallery):
                 "Boundary conditions/Displacement at points=corner : x : 0"]
     whole = gallery.last_row("boundary_regions", *settings)
     output = gallery.directory / "resumed"
-    case = [*gallery.words, str(GALLERY / "boundary_regions.prm"), "--output",
-            str(output)]
+    case = [GALLERY / "boundary_regions.prm", "--output", output]
     fields = "Output/Field format=none"
-    program.output_of([*case, *program.as_options(
+    gallery.runner.output_of([*case, *program.as_options(
         (fields, *settings, "Load stepping/End time=0.5"))])
-    program.output_of([*case, "--resume", *program.as_options((fields, *settings))])
+    gallery.runner.output_of(
+        [*case, "--resume", *program.as_options((fields, *settings))])
     rows = program.rows(output)
     assert len(rows) == 5, rows
     for column in ("force_y_N", "elastic_energy_mJ"):

@@ -14,7 +14,7 @@ import unittest
 sys.path.append(str(pathlib.Path(__file__).resolve().parents[1]))
 import program  # noqa: E402
 
-EXECUTABLE, RANKS, MPIRUN = sys.argv[1], sys.argv[2], sys.argv[3:]
+EXECUTABLE, RANKS, MPIRUN = sys.argv[1], int(sys.argv[2]), sys.argv[3]
 CASE = pathlib.Path(__file__).resolve().parents[2] / "parameters" / "gallery" \
     / "point_forces.prm"
 SETS, FORCES = "Geometry/Point sets=", "Boundary conditions/Force at points="
@@ -42,9 +42,8 @@ class PointForces(unittest.TestCase):
         self.n_runs = 0
 
     def start(self, directory, *settings, options=(), status=0):
-        return program.output_of(
-            [*program.command(EXECUTABLE, MPIRUN, RANKS), str(CASE), "--output",
-             str(self.folder / directory), *options,
+        return program.runner(EXECUTABLE, MPIRUN, RANKS).output_of(
+            [CASE, "--output", self.folder / directory, *options,
              *program.as_options(["Output/Field format=none", *settings])], status)
 
     def last(self, *settings):

@@ -16,7 +16,7 @@ sys.path.append(str(pathlib.Path(__file__).resolve().parents[1]))
 import program  # noqa: E402
 from compact_mesh import compact_mesh  # noqa: E402
 
-EXECUTABLE, RANKS, MPIRUN = sys.argv[1], sys.argv[2], sys.argv[3:]
+EXECUTABLE, RANKS, MPIRUN = sys.argv[1], int(sys.argv[2]), sys.argv[3]
 GALLERY = pathlib.Path(__file__).resolve().parents[2] / "parameters" / "gallery"
 
 
@@ -38,9 +38,8 @@ class Case(unittest.TestCase):
         self.last = self.rows[-1]
 
     def run_case(self, name, *settings, options=(), status=0):
-        text = program.output_of(
-            [*program.command(EXECUTABLE, MPIRUN, RANKS), str(name), "--output",
-             str(self.results), *options,
+        text = program.runner(EXECUTABLE, MPIRUN, RANKS).output_of(
+            [name, "--output", self.results, *options,
              *program.as_options(["Output/Field format=none", *settings])], status)
         if status in (0, 5):
             self.rows = [{key: float(value) for key, value in row.items()}

@@ -14,7 +14,7 @@ import unittest
 sys.path.append(str(pathlib.Path(__file__).resolve().parents[1]))
 import program  # noqa: E402
 
-EXECUTABLE, RANKS, MPIRUN = sys.argv[1], sys.argv[2], sys.argv[3:]
+EXECUTABLE, RANKS, MPIRUN = sys.argv[1], int(sys.argv[2]), sys.argv[3]
 GALLERY = pathlib.Path(__file__).resolve().parents[2] / "parameters" / "gallery"
 
 
@@ -25,9 +25,8 @@ class Runs(unittest.TestCase):
         self.folder = pathlib.Path(temporary.name)
 
     def start(self, case, directory, *settings, options=(), status=0, ranks=RANKS):
-        program.output_of(
-            [*program.command(EXECUTABLE, MPIRUN, ranks), str(GALLERY / (case + ".prm")),
-             "--output", str(self.folder / directory), *options,
+        program.runner(EXECUTABLE, MPIRUN, ranks).output_of(
+            [GALLERY / (case + ".prm"), "--output", self.folder / directory, *options,
              *program.as_options(["Output/Field format=none", *settings])], status)
         return program.rows(self.folder / directory)
 
@@ -47,7 +46,7 @@ class Runs(unittest.TestCase):
         self.start(case, "parts", *settings, half)
         # on as many ranks as there were not
         parts = self.start(case, "parts", *settings, options=["--resume"],
-                           ranks=3 - int(RANKS))
+                           ranks=3 - RANKS)
         self.compare([{name: row[name] for name in names} for row in parts],
                      [{name: row[name] for name in names} for row in whole], 1e-6)
         return whole

@@ -15,7 +15,7 @@ import unittest
 sys.path.append(str(pathlib.Path(__file__).resolve().parents[1]))
 import program  # noqa: E402
 
-EXECUTABLE, RANKS, MPIRUN = sys.argv[1], sys.argv[2], sys.argv[3:]
+EXECUTABLE, RANKS, MPIRUN = sys.argv[1], int(sys.argv[2]), sys.argv[3]
 GALLERY = pathlib.Path(__file__).resolve().parents[2] / "parameters" / "gallery"
 NAME = "traction_profiles.csv"
 # a block that is stretched by 10 %, and free to contract
@@ -39,10 +39,8 @@ class TractionProfiles(unittest.TestCase):
         self.folder = pathlib.Path(temporary.name)
 
     def start(self, directory, *settings, options=(), status=0, ranks=RANKS):
-        return program.output_of(
-            [*program.command(EXECUTABLE, MPIRUN, ranks),
-             str(GALLERY / "traction_profile.prm"), "--output",
-             str(self.folder / directory), *options,
+        return program.runner(EXECUTABLE, MPIRUN, ranks).output_of(
+            [GALLERY / "traction_profile.prm", "--output", self.folder / directory, *options,
              *program.as_options(["Output/Field format=none", *settings])], status)
 
     def profile(self, directory):

@@ -169,11 +169,8 @@ def ask_program(path, dim, cut="true"):
     case.write_text(CASE.format(dim=dim, file=path.name, names=names_in(path),
                                 cut=cut),
                     encoding="utf-8")
-    result = subprocess.run([EXECUTABLE, "--check", str(case)],
-                            env=program.environment(), stdin=subprocess.DEVNULL,
-                            stdout=subprocess.PIPE, stderr=subprocess.STDOUT,
-                            timeout=120, check=False)
-    return result.returncode, result.stdout.decode("utf-8", errors="replace")
+    status, out, err = program.runner(EXECUTABLE, "", 1).run(["--check", str(case)])
+    return status, out + err
 
 
 class MeshFiles(unittest.TestCase):

@@ -9,9 +9,11 @@ error stream, and leave no files, from an empty working directory: paths in a
 .prm are relative to it. What it warns of is what the case is known for.
 """
 import os
-import subprocess
 import sys
 import tempfile
+
+sys.path.append(os.path.join(os.path.dirname(os.path.abspath(__file__)), os.pardir))
+import program  # noqa: E402
 
 RATE_EFFECT = "coupling '%s': a running crack advances about one cell per load step"
 COARSE = "l/h = %s: the length scale is resolved by fewer than two cells"
@@ -47,20 +49,18 @@ def strange_warnings(path, text):
             yield "not warned of any more: " + each
 
 
-def offences(command, path):
+def offences(starts, path):
+    """starts: a program.Program."""
     with tempfile.TemporaryDirectory() as folder:
-        process = subprocess.run(command + ["--check", path], cwd=folder,
-                                 stdin=subprocess.DEVNULL, stdout=subprocess.PIPE,
-                                 stderr=subprocess.PIPE, universal_newlines=True,
-                                 timeout=120)
+        status, text, errors = starts.run(["--check", path], folder)
         left = os.listdir(folder)
-    if process.returncode != 0:
-        yield "exit status %d" % process.returncode
-    if process.stderr:
-        yield process.stderr.strip()
-    if "case: " not in process.stdout or "cells: " not in process.stdout:
-        yield "no preflight is printed: %r" % process.stdout[:200]
-    yield from strange_warnings(path, process.stdout)
+    if status != 0:
+        yield "exit status %d" % status
+    if errors:
+        yield errors.strip()
+    if "case: " not in text or "cells: " not in text:
+        yield "no preflight is printed: %r" % text[:200]
+    yield from strange_warnings(path, text)
     for name in left:
         yield "left behind: " + name
 
@@ -71,10 +71,10 @@ def main():
     here = os.path.dirname(os.path.abspath(__file__))
     root = os.path.abspath(sys.argv[2] if len(sys.argv) > 2
                            else os.path.join(here, os.pardir, os.pardir))
-    command = [os.path.abspath(sys.argv[1])]
+    starts = program.runner(sys.argv[1], "", 1)
     n_files, n_failed = 0, 0
     for path in parameter_files(root):
-        found = list(offences(command, path))
+        found = list(offences(starts, path))
         n_files += 1
         n_failed += bool(found)
         for text in found:

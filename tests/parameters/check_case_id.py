@@ -14,7 +14,6 @@ import os
 import pathlib
 import re
 import resource
-import subprocess
 import sys
 import tempfile
 import unittest
@@ -22,7 +21,7 @@ import unittest
 HERE = pathlib.Path(__file__).resolve().parent
 sys.path[:0] = [str(HERE.parent), str(HERE.parent / "bad_input")]
 from bad_inputs import BASE  # noqa: E402
-from program import command, environment  # noqa: E402
+from program import Program, runner  # noqa: E402
 
 DEFAULTS = HERE / "case_id_defaults.json"
 PROGRAM = []
@@ -45,25 +44,16 @@ $EndElements
 """
 
 
-def call(*words, folder=None, ranks=None):
-    """(exit status, output, errors)"""
-    launcher = PROGRAM[1:] if ranks else ()
-    result = subprocess.run(
-        [*command(PROGRAM[0], launcher, ranks or 1), *words], cwd=folder,
-        stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=subprocess.PIPE,
-        text=True, timeout=60, check=False, env=environment())
-    return result.returncode, result.stdout, result.stderr
-
-
-def answer(*words, folder=None, ranks=None):
-    status, output, errors = call(*words, folder=folder, ranks=ranks)
+def answer(*words, folder=None, ranks=1, anew=False):
+    starts = Program(*PROGRAM, ranks) if anew else runner(*PROGRAM, ranks)
+    status, output, errors = starts.run(words, folder)
     assert (status, errors) == (0, ""), (words, status, output, errors)
     return output
 
 
 def present():
     """What case_id_defaults.json holds, as the program has it now."""
-    entries = json.loads(answer("--parameters", "json"))
+    entries = json.loads(answer("--parameters", "json", anew=True))
     with tempfile.TemporaryDirectory() as folder:
         pathlib.Path(folder, "case.prm").write_text(BASE, encoding="utf-8")
         ids = {scope: answer("--case-id=" + scope, "case.prm", folder=folder).strip()
@@ -100,10 +90,9 @@ class CaseId(unittest.TestCase):
         path.parent.mkdir(exist_ok=True)
         path.write_text(text, encoding="utf-8")
 
-    def id(self, *settings, case="case.prm", scope="problem", ranks=None):
+    def id(self, *settings, case="case.prm", scope="problem", **how):
         words = [word for setting in settings for word in ("--set", setting)]
-        text = answer("--case-id=" + scope, *words, case, folder=self.folder,
-                      ranks=ranks)
+        text = answer("--case-id=" + scope, *words, case, folder=self.folder, **how)
         self.assertRegex(text, r"\A[0-9a-f]{16}\n\Z")
         return text.strip()
 
@@ -128,8 +117,9 @@ class CaseId(unittest.TestCase):
 
     def no(self):
         """Another word for false, where the program takes it."""
-        status, _, _ = call("--case-id", "--set", "Initial cracks/Broken slits=no",
-                            "case.prm", folder=self.folder)
+        status, _, _ = runner(*PROGRAM, 1).run(
+            ["--case-id", "--set", "Initial cracks/Broken slits=no", "case.prm"],
+            self.folder)
         return "no" if status == 0 else "false"
 
     def test_defaults_do_not_matter_derived_ones_are_resolved(self):
@@ -203,8 +193,8 @@ class CaseId(unittest.TestCase):
                   "Geometry/Mesh file/Boundary names=1 = bottom ; 2 = top"], 4,
                  "none.msh")):
             with self.subTest(says):
-                found, output, errors = call("--case-id", *words, "case.prm",
-                                             folder=self.folder)
+                found, output, errors = runner(*PROGRAM, 1).run(
+                    ["--case-id", *words, "case.prm"], self.folder)
                 self.assertEqual((found, output), (status, ""), errors)
                 self.assertEqual(errors.count("mixed-cracks: error: "), 1)
                 self.assertIn(says, errors)
@@ -214,7 +204,7 @@ class CaseId(unittest.TestCase):
             usage = resource.getrusage(resource.RUSAGE_CHILDREN)
             return usage.ru_utime + usage.ru_stime
         begin = seconds()
-        large = self.id("Mesh/Global refinements=12")
+        large = self.id("Mesh/Global refinements=12", anew=True)
         self.assertLess(seconds() - begin, 3.)  # a mesh would take the memory
         self.assertEqual(os.listdir(self.folder), ["case.prm"])
         self.assertNotEqual(large, self.id())
@@ -230,7 +220,7 @@ class CaseId(unittest.TestCase):
 if __name__ == "__main__":
     if len(sys.argv) < 3:
         sys.exit(__doc__)
-    PROGRAM = [os.path.abspath(sys.argv[1]), sys.argv[2]]
+    PROGRAM = sys.argv[1:3]
     if sys.argv[3:] == ["--update"]:
         update()
     else:

@@ -20,6 +20,7 @@ import unittest
 sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
 import check_all  # noqa: E402
 import run_two_steps  # noqa: E402
+from program import Program  # noqa: E402
 
 CMAKE, BUILD, MPIRUN = "", "", ""
 SCRIPTS = ("report", "sweep", "study", "picture-3d", "identify")
@@ -66,9 +67,10 @@ class Installation(unittest.TestCase):
                                  re.MULTILINE):
                     continue
             n_cases += 1
-            self.assertEqual(list(check_all.offences([self.program], path)), [], path)
+            self.assertEqual(list(check_all.offences(Program(self.program), path)), [], path)
             with tempfile.TemporaryDirectory() as folder:
-                found = list(run_two_steps.offences([self.program], path, folder))
+                found = list(run_two_steps.offences(
+                    Program(self.program), path, folder))
             self.assertEqual(found, [], path)
         self.assertGreaterEqual(n_cases, 10)
 
@@ -91,7 +93,7 @@ class Installation(unittest.TestCase):
                 for file in files:
                     os.rename(os.path.join(folder, file), os.path.join(copy, file))
                 case = os.path.join(copy, os.path.basename(name) + ".prm")
-                found = list(check_all.offences([self.program], case))
+                found = list(check_all.offences(Program(self.program), case))
                 self.assertEqual(found, [], name)
 
     def test_an_example_overwrites_nothing(self):

@@ -16,7 +16,6 @@ import math
 import os
 import re
 import resource
-import subprocess
 import sys
 import tempfile
 import unittest
@@ -24,7 +23,7 @@ import unittest
 sys.path.append(os.path.join(os.path.dirname(os.path.abspath(__file__)), os.pardir))
 import program  # noqa: E402
 
-COMMAND = []
+PROGRAM = []
 
 MATERIAL = """\
 subsection Material
@@ -85,16 +84,15 @@ class Preflight(unittest.TestCase):
     def tearDown(self):
         self.directory.cleanup()
 
-    def run_case(self, text, *arguments, ranks=1, status=0):
-        """Output of a run, and its error stream when the status is not 0."""
+    def run_case(self, text, *arguments, ranks=1, status=0, anew=False):
+        """Output of a run, and its error stream when the status is not 0; anew: of the
+        program, started for it."""
         with open(os.path.join(self.folder, "case.prm"), "w") as stream:
             stream.write(text)
-        process = subprocess.run(
-            [*program.command(*COMMAND, ranks), *arguments, "case.prm"],
-            cwd=self.folder, stdin=subprocess.DEVNULL, stdout=subprocess.PIPE,
-            stderr=subprocess.PIPE, universal_newlines=True, timeout=300)
-        self.assertEqual(process.returncode, status, process.stdout + process.stderr)
-        return process.stdout if status == 0 else process.stdout + process.stderr
+        starts = (program.Program if anew else program.runner)(*PROGRAM, ranks)
+        found, out, err = starts.run([*arguments, "case.prm"], self.folder)
+        self.assertEqual(found, status, out + err)
+        return out if status == 0 else out + err
 
     def refused(self, text, *arguments):
         return self.run_case(text, "--check", *arguments, status=2)
@@ -121,7 +119,7 @@ class Preflight(unittest.TestCase):
         cells = ["--set", "Geometry/Rectangle/Cell size=0.05",
                  "--set", "Mesh/Global refinements=7"]
         before = resource.getrusage(resource.RUSAGE_CHILDREN)
-        text = self.run_case(SQUARE + HELD, "--check", *cells)
+        text = self.run_case(SQUARE + HELD, "--check", *cells, anew=True)
         after = resource.getrusage(resource.RUSAGE_CHILDREN)
         # (20 * 2^7)^2 cells, nodes of degree 2, vertices
         n, nodes, vertices = 2560 ** 2, 5121 ** 2, 2561 ** 2
@@ -149,7 +147,7 @@ class Preflight(unittest.TestCase):
                 else SQUARE
             case += HELD
             before = resource.getrusage(resource.RUSAGE_CHILDREN)
-            text = self.run_case(case, "--check", *many)
+            text = self.run_case(case, "--check", *many, anew=True)
             after = resource.getrusage(resource.RUSAGE_CHILDREN)
             self.assertLess(after.ru_utime - before.ru_utime, 4.)
             self.assertIn("not checked: the mesh itself", text)
@@ -311,5 +309,5 @@ class Preflight(unittest.TestCase):
 if __name__ == "__main__":
     if len(sys.argv) != 3:
         sys.exit(__doc__)
-    COMMAND = [os.path.abspath(sys.argv[1]), [sys.argv[2]]]
+    PROGRAM = sys.argv[1:3]
     unittest.main(argv=sys.argv[:1])

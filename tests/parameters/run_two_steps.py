@@ -13,7 +13,6 @@ import json
 import math
 import os
 import re
-import subprocess
 import sys
 import tempfile
 
@@ -58,8 +57,8 @@ def first_step(path):
     return None
 
 
-def offences(command, path, folder):
-    """Of a run in an empty working directory."""
+def offences(starts, path, folder):
+    """Of a run in an empty working directory; starts: a program.Program."""
     results = os.path.join(folder, "results")
     step = first_step(path)
     if step is None:
@@ -70,12 +69,9 @@ def offences(command, path, folder):
     arguments = [path, "--output", results]
     for each in sets:
         arguments += ["--set", each]
-    process = subprocess.run(command + arguments, cwd=folder,
-                             stdin=subprocess.DEVNULL, stdout=subprocess.PIPE,
-                             stderr=subprocess.PIPE, universal_newlines=True,
-                             timeout=600)
-    if process.returncode != 0 or process.stderr:
-        yield "exit status %d: %s" % (process.returncode, process.stderr.strip())
+    status, _, errors = starts.run(arguments, folder)
+    if status != 0 or errors:
+        yield "exit status %d: %s" % (status, errors.strip())
         return
     with open(os.path.join(results, "statistics.csv")) as table:
         rows = list(csv.DictReader(table))
@@ -93,7 +89,7 @@ def offences(command, path, folder):
 def main():
     if len(sys.argv) < 4:
         sys.exit(__doc__)
-    command = program.command(os.path.abspath(sys.argv[1]), [sys.argv[2]], sys.argv[3])
+    starts = program.runner(*sys.argv[1:3], int(sys.argv[3]))
     paths = [os.path.join(folder, name)
              for folder, _, names in os.walk(os.path.join(ROOT, "parameters"))
              for name in names if name.endswith(".prm")
@@ -102,7 +98,7 @@ def main():
     n_failed = 0
     for path in sorted(paths):
         with tempfile.TemporaryDirectory() as folder:
-            found = list(offences(command, path, folder))
+            found = list(offences(starts, path, folder))
         n_failed += bool(found)
         print("%s: %s" % (os.path.relpath(path, ROOT), found or "ok"), flush=True)
     print("%d cases, %d failed" % (len(paths), n_failed))

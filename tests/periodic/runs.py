@@ -58,7 +58,7 @@ FIXED_STEPS = tuple("Load stepping/" + entry for entry in (
 
 class Runs:
     def __init__(self, executable, launcher, ranks, directory):
-        self.words = program.command(executable, (launcher,), int(ranks))
+        self.runner = program.runner(executable, launcher, int(ranks))
         self.directory = pathlib.Path(directory)
         self.n_runs = 0
         self.case = self.directory / "case.prm"
@@ -68,9 +68,8 @@ class Runs:
         """Of statistics.csv; numbers as they are."""
         self.n_runs += 1
         output = self.directory / (name or str(self.n_runs))
-        program.output_of([*self.words, str(case or self.case), "--output",
-                           str(output), *more, *program.as_options(settings)],
-                          status=status)
+        self.runner.output_of([case or self.case, "--output", output, *more,
+                               *program.as_options(settings)], status)
         return [{key: float(value) if value else None for key, value in row.items()}
                 for row in program.rows(output)]
 

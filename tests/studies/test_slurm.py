@@ -117,17 +117,20 @@ def compare(row, expected):
 
 def time_limit(cluster, folder):
     """A limit that hits ends a piece, not the case: it is requeued by itself, and no
-    step is calculated twice. A case that gets nowhere is given up after two starts."""
+    step is calculated twice. A case that gets nowhere is given up after two starts.
+
+    A minute is the shortest limit, and Slurm looks every 30 s whether it is that close
+    to the moment to ask: 25 s before the end is from 5 to 35 s after the begin."""
     sweep = Sweep(folder, "base = base.prm\n"
-                  "a = --set Model/Steps=70 --set Model/Seconds=1\n"
+                  "a = --set Model/Steps=40 --set Model/Seconds=1\n"
                   "stuck = --set Model/Steps=9 --set Model/Stuck=2\n")
-    array, _ = sweep.submit("--time", "1", "--signal", "5")
+    array, _ = sweep.submit("--time", "1", "--signal", "25")
     wait_for_end(cluster, sweep, array)
     pieces = sweep.record("a")["pieces"]
     assert len(pieces) >= 2, pieces
     assert [piece.get("exit_status") for piece in pieces] == \
         [5] * (len(pieces) - 1) + [0], pieces
-    assert all_steps(sweep, "a") == list(range(1, 71)), sweep.events_of("a")
+    assert all_steps(sweep, "a") == list(range(1, 41)), sweep.events_of("a")
     pieces = sweep.record("stuck")["pieces"]
     # the first brings steps, the next two none
     assert [piece["exit_status"] for piece in pieces] == [5, 5, 5], pieces
