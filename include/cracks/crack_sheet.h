@@ -42,6 +42,8 @@ namespace MixedCracks
     std::vector<CrackFront>                  fronts;    ///< the longest first
     /// that it has come to, in alphabetical order
     std::vector<std::string> boundaries;
+    /// points on each of these, mm: the one nearest to their middle first
+    std::vector<std::vector<dealii::Point<3>>> contacts;
     /// where it began, as a crack or as an initial crack: a boundary,
     /// "interior", or empty where nobody knows
     std::string start;

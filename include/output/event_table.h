@@ -21,6 +21,7 @@ namespace MixedCracks
   {
   public:
     EventTable(const std::string     &directory,
+               int                    dim,
                const EventParameters &parameters,
                MPI_Comm               communicator);
 
@@ -56,7 +57,8 @@ namespace MixedCracks
     void write(const std::string &content, bool append) const;
 
     const std::string           name;
-    const EventParameters       parameters;
+    const int                   dim;
+    const bool                  is_on;
     const MPI_Comm              communicator;
     CrackEvents                 events;
     std::string                 all_rows;

@@ -1,13 +1,19 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// With L_n the length of all cracks after step n, L_0 that at the start of the
-// watch and D the length of a step of growth, in step n there is
+// With S_n the size of all cracks after step n, the length of paths or the area
+// of sheets, S_0 that at the start of the watch and D a step of growth, in step
+// n there is
 //
 //   onset          damage has a first nucleus (damage_origins.cc)
-//   crack length   floor((L_n - L_0)/D) is larger than at all events before
-//   boundary       an end of a path on a boundary at which it has not begun (a
-//                  nucleus within 3 l, and no nearer to the other end), farther
-//                  than 3 l from where that boundary was met before
-//   separation     two sides of the body are joined (crack_outcome.cc)
+//   crack length   floor((S_n - S_0)/D) is larger than at all events before;
+//                  in 3-d its name is crack area
+//   boundary       a crack touches a boundary at which it has not begun, in no
+//                  place within 3 l of where that boundary was met before
+//   separation     two sides of the body are joined (crack_outcome.cc), in 3-d
+//                  it is in two parts (sheet_outcome.cc)
+//
+// A path touches with its ends, and began at one with a nucleus within 3 l that
+// is no nearer to the other end. A sheet touches along lines, which grow: one
+// that has been met is known by the place where it was. It began at its start.
 //
 // A crack that passes several multiples in a step is one event: there is one
 // state to show.
@@ -25,7 +31,7 @@ namespace MixedCracks
 
   namespace
   {
-    // of multiples, for lengths that are multiples but for rounding
+    // of multiples, for sizes that are multiples but for rounding
     constexpr double tolerance = 1e-9;
 
 
@@ -39,21 +45,24 @@ namespace MixedCracks
 
 
 
-    Point<2>
-    rounded(const Point<2> &point)
+    Point<3>
+    rounded(const Point<3> &point)
     {
-      return {rounded(point[0]), rounded(point[1])};
+      return {rounded(point[0]), rounded(point[1]), rounded(point[2])};
     }
 
 
 
+    // there are paths or sheets, not both
     double
-    whole_length(const std::vector<Crack> &paths)
+    whole_size(const TracedCracks &cracks)
     {
-      double length = 0.;
-      for (const Crack &crack : paths)
-        length += crack.length;
-      return rounded(length);
+      double size = 0.;
+      for (const Crack &crack : cracks.paths)
+        size += crack.length;
+      for (const CrackSheet &sheet : cracks.sheets)
+        size += sheet.area;
+      return rounded(size);
     }
 
 
@@ -72,24 +81,65 @@ namespace MixedCracks
                  distance <= other_end.distance(nucleus);
         });
     }
+
+
+
+    // A crack on a boundary at which it did not begin; the first of the places
+    // stands for all.
+    struct Contact
+    {
+      std::string           boundary;
+      std::vector<Point<3>> places; // mm
+    };
+
+    std::vector<Contact>
+    contacts_of(const TracedCracks &cracks, const DamageOrigins &origins)
+    {
+      std::vector<Contact> contacts;
+      const auto           add_end = [&](const CrackEnd &end,
+                               const Point<2> &place,
+                               const Point<2> &other_end) {
+        if (end.kind == CrackEnd::Kind::boundary &&
+            !began_at(place, other_end, origins))
+          contacts.push_back({end.name, {in_space(place)}});
+      };
+      for (const Crack &crack : cracks.paths)
+      {
+        add_end(crack.start, crack.points.front(), crack.points.back());
+        add_end(crack.end, crack.points.back(), crack.points.front());
+      }
+      for (const CrackSheet &sheet : cracks.sheets)
+        for (std::size_t b = 0; b < sheet.boundaries.size(); ++b)
+          if (sheet.boundaries[b] != sheet.start)
+            contacts.push_back({sheet.boundaries[b], sheet.contacts[b]});
+      return contacts;
+    }
+
+
+
+    std::string
+    growth_kind_in(const int dim)
+    {
+      return dim == 2 ? "crack length" : "crack area";
+    }
   } // namespace
 
 
 
-  const std::vector<std::string> &
-  event_kinds()
+  std::vector<std::string>
+  event_kinds(const int dim)
   {
-    static const std::vector<std::string> kinds{
-      "onset", "crack length", "boundary", "separation"};
-    return kinds;
+    return {"onset", growth_kind_in(dim), "boundary", "separation"};
   }
 
 
 
-  CrackEvents::CrackEvents(const std::vector<std::string> &kinds,
-                           const double                    length_step)
-    : kinds(kinds)
-    , length_step(length_step)
+  CrackEvents::CrackEvents(const int                       dim,
+                           const std::vector<std::string> &kinds,
+                           const double                    size_step)
+    : growth_kind(growth_kind_in(dim))
+    , kinds(kinds)
+    , size_step(size_step)
   {}
 
 
@@ -105,33 +155,30 @@ namespace MixedCracks
   double
   CrackEvents::multiples(const double growth_so_far) const
   {
-    return std::floor(growth_so_far / length_step + tolerance);
+    return std::floor(growth_so_far / size_step + tolerance);
   }
 
 
 
   std::vector<CrackEvents::Meeting>
-  CrackEvents::new_meetings(const std::vector<Crack> &paths,
-                            const DamageOrigins      &origins) const
+  CrackEvents::new_meetings(const TracedCracks  &cracks,
+                            const DamageOrigins &origins) const
   {
     std::vector<Meeting> found;
-    const auto           add = [&](const CrackEnd &end,
-                         const Point<2> &place,
-                         const Point<2> &other_end) {
-      const auto is_known = [&](const Meeting &other) {
-        return other.first == end.name &&
-               other.second.distance(place) < origins.reach;
-      };
-      if (end.kind == CrackEnd::Kind::boundary &&
-          !began_at(place, other_end, origins) &&
-          std::none_of(meetings.begin(), meetings.end(), is_known) &&
-          std::none_of(found.begin(), found.end(), is_known))
-        found.emplace_back(end.name, rounded(place));
-    };
-    for (const Crack &crack : paths)
+    for (const Contact &contact : contacts_of(cracks, origins))
     {
-      add(crack.start, crack.points.front(), crack.points.back());
-      add(crack.end, crack.points.back(), crack.points.front());
+      const auto is_known = [&](const Meeting &other) {
+        return other.first == contact.boundary &&
+               std::any_of(contact.places.begin(),
+                           contact.places.end(),
+                           [&](const Point<3> &place) {
+                             return other.second.distance(place) <
+                                    origins.reach;
+                           });
+      };
+      if (std::none_of(meetings.begin(), meetings.end(), is_known) &&
+          std::none_of(found.begin(), found.end(), is_known))
+        found.emplace_back(contact.boundary, rounded(contact.places.front()));
     }
     return found;
   }
@@ -142,14 +189,14 @@ namespace MixedCracks
   CrackEvents::look(const TracedCracks  &cracks,
                     const DamageOrigins &origins) const
   {
-    const bool              is_first = !initial_length;
+    const bool              is_first = !initial_size;
     std::vector<CrackEvent> events;
     CrackEvent              now;
-    now.crack_length = whole_length(cracks.paths);
-    now.growth = is_first ? 0. : rounded(now.crack_length - *initial_length);
+    now.crack_size = whole_size(cracks);
+    now.growth     = is_first ? 0. : rounded(now.crack_size - *initial_size);
     const auto add = [&](const std::string             &kind,
                          const std::string             &boundary,
-                         const std::optional<Point<2>> &place) {
+                         const std::optional<Point<3>> &place) {
       if (!is_first && !watches(kind))
         return;
       now.kind     = is_first ? "start" : kind;
@@ -157,14 +204,14 @@ namespace MixedCracks
       now.place    = place;
       events.push_back(now);
     };
-    std::optional<Point<2>> origin;
+    std::optional<Point<3>> origin;
     if (!origins.nuclei.empty())
-      origin = rounded(in_plane(origins.nuclei).front());
+      origin = rounded(origins.nuclei.front());
     if (is_first || (origin && !has_begun))
       add("onset", "", origin);
     if (multiples(now.growth) > multiples(growth))
-      add("crack length", "", {});
-    for (const auto &[boundary, place] : new_meetings(cracks.paths, origins))
+      add(growth_kind, "", {});
+    for (const auto &[boundary, place] : new_meetings(cracks, origins))
       add("boundary", boundary, place);
     if (cracks.separate_body && !is_cut && !is_first)
       add("separation", "", {});
@@ -176,8 +223,8 @@ namespace MixedCracks
   void
   CrackEvents::remember(const CrackEvent &event)
   {
-    if (!initial_length)
-      initial_length = event.crack_length;
+    if (!initial_size)
+      initial_size = event.crack_size;
     growth = std::max(growth, event.growth);
     if (!event.boundary.empty() && event.place)
       meetings.emplace_back(event.boundary, *event.place);

@@ -75,6 +75,34 @@ namespace MixedCracks
 
 
 
+    // The middles of the sides at a boundary, the one nearest to the mean of
+    // them first; of those that are equally near but for @p tolerance, mm, the
+    // first, whatever the rounding.
+    std::vector<Point<3>>
+    contact_with(const std::string   &name,
+                 const BoundarySides &sides,
+                 const double         tolerance)
+    {
+      std::vector<Point<3>> points;
+      Point<3>              mean;
+      for (const auto &[middle, other] : sides.middles)
+        if (other == name)
+        {
+          points.push_back(middle);
+          mean += middle;
+        }
+      mean /= static_cast<double>(points.size());
+      std::size_t nearest = 0;
+      for (std::size_t i = 1; i < points.size(); ++i)
+        if (points[i].distance(mean) <
+            points[nearest].distance(mean) - tolerance)
+          nearest = i;
+      std::swap(points[0], points[nearest]);
+      return points;
+    }
+
+
+
     // The boundary nearest to a point within a distance, a notch before others;
     // or empty.
     std::string
@@ -315,7 +343,10 @@ namespace MixedCracks
       const BoundarySides sides = boundary_sides(mesh, open, set, options);
       for (const auto &[name, length] : sides.lengths)
         if (length > 0.5 * h)
+        {
           sheet.boundaries.push_back(name);
+          sheet.contacts.push_back(contact_with(name, sides, 0.01 * h));
+        }
       sheet.fronts = fronts_of(mesh, open, set, options);
       if (sheet.area < options.narrowest * l * sheet.front_length())
         continue;

@@ -19,23 +19,29 @@ namespace MixedCracks
 {
   namespace
   {
-    const std::string header = "step,time_s,displacement_mm,force_N,event,"
-                               "crack_length_mm,growth_mm,boundary,x_mm,y_mm\n";
-    // of the row; those of the event follow
-    constexpr std::size_t n_fields_of_step = 4;
+    std::string
+    header_in(const int dim)
+    {
+      return std::string("step,time_s,displacement_mm,force_N,event,") +
+             (dim == 2 ? "crack_length_mm,growth_mm,boundary,x_mm,y_mm\n"
+                       : "crack_area_mm2,growth_mm2,boundary,x_mm,y_mm,z_mm\n");
+    }
+
+    // of the row; those of the event follow, and of these the place
+    constexpr std::size_t n_fields_of_step = 4, n_before_place = 4;
 
 
 
     std::string
-    row_of(const StatisticsRow &row, const CrackEvent &event)
+    row_of(const StatisticsRow &row, const CrackEvent &event, const int dim)
     {
       std::string text = std::to_string(row.step());
       for (const double number :
            {row["time"], row["displacement"], row.force_size()})
         text += ',' + csv_number(number);
-      text += ',' + event.kind + ',' + csv_number(event.crack_length) + ',' +
+      text += ',' + event.kind + ',' + csv_number(event.crack_size) + ',' +
               csv_number(event.growth) + ',' + csv_field(event.boundary);
-      for (unsigned int d = 0; d < 2; ++d)
+      for (int d = 0; d < dim; ++d)
         text += ',' + (event.place ? csv_number((*event.place)[d]) : "");
       return text + '\n';
     }
@@ -43,54 +49,73 @@ namespace MixedCracks
 
 
     CrackEvent
-    event_of(const std::string &line)
+    event_of(const std::string &line, const int dim)
     {
       std::vector<std::string> fields = csv_fields(line);
-      fields.resize(n_fields_of_step + 6);
+      fields.resize(n_fields_of_step + n_before_place + dim);
       const std::string *const of_event = fields.data() + n_fields_of_step;
       const auto               number   = [&of_event](const std::size_t field) {
         return std::strtod(of_event[field].c_str(), nullptr);
       };
       CrackEvent event;
-      event.kind         = of_event[0];
-      event.crack_length = number(1);
-      event.growth       = number(2);
-      event.boundary     = of_event[3];
-      if (!of_event[4].empty())
-        event.place = {number(4), number(5)};
+      event.kind       = of_event[0];
+      event.crack_size = number(1);
+      event.growth     = number(2);
+      event.boundary   = of_event[3];
+      if (!of_event[n_before_place].empty())
+      {
+        event.place.emplace();
+        for (int d = 0; d < dim; ++d)
+          (*event.place)[d] = number(n_before_place + d);
+      }
       return event;
     }
 
 
 
     std::string
-    in_words(const CrackEvent &event)
+    place_in_words(const CrackEvent &event, const int dim)
     {
-      const std::string place =
-        event.place
-          ? format(" at (%.6g, %.6g) mm", (*event.place)[0], (*event.place)[1])
-          : "";
+      if (!event.place)
+        return "";
+      std::string text;
+      for (int d = 0; d < dim; ++d)
+        text += (d == 0 ? " at (" : ", ") + format("%.6g", (*event.place)[d]);
+      return text + ") mm";
+    }
+
+
+
+    std::string
+    in_words(const CrackEvent &event, const int dim)
+    {
+      const std::string place = place_in_words(event, dim);
       if (event.kind == "onset")
         return "damage begins" + place;
       if (event.kind == "boundary")
         return "a crack meets " + event.boundary + place;
       if (event.kind == "separation")
         return "cracks have separated the body";
-      return format("the cracks have grown by %.6g mm to %.6g mm",
+      const char *const unit = dim == 2 ? "mm" : "mm^2";
+      return format("the cracks have grown by %.6g %s to %.6g %s",
                     event.growth,
-                    event.crack_length);
+                    unit,
+                    event.crack_size,
+                    unit);
     }
   } // namespace
 
 
 
   EventTable::EventTable(const std::string     &directory,
+                         const int              dim,
                          const EventParameters &parameters,
                          const MPI_Comm         communicator)
     : name(directory + "/events.csv")
-    , parameters(parameters)
+    , dim(dim)
+    , is_on(!parameters.kinds(dim).empty())
     , communicator(communicator)
-    , events(parameters.kinds(), parameters.length_step)
+    , events(dim, parameters.kinds(dim), parameters.size_step(dim))
   {}
 
 
@@ -121,13 +146,12 @@ namespace MixedCracks
   void
   EventTable::restore(const std::string &earlier)
   {
-    all_rows =
-      earlier.empty() && !parameters.kinds().empty() ? header : earlier;
+    all_rows = earlier.empty() && is_on ? header_in(dim) : earlier;
     std::istringstream lines(all_rows);
     std::string        line;
     std::getline(lines, line); // the header
     while (std::getline(lines, line))
-      events.remember(event_of(line));
+      events.remember(event_of(line, dim));
     write(all_rows, /*append=*/false);
   }
 
@@ -139,18 +163,18 @@ namespace MixedCracks
                   const DamageOrigins &origins)
   {
     std::vector<std::string> lines;
-    if (parameters.kinds().empty())
+    if (!is_on)
       return lines;
     std::string text;
-    // where the paths are
+    // where the cracks are
     if (dealii::Utilities::MPI::this_mpi_process(communicator) == 0)
       for (const CrackEvent &event : events.look(cracks, origins))
       {
-        const std::string one = row_of(row, event);
-        events.remember(event_of(one));
+        const std::string one = row_of(row, event, dim);
+        events.remember(event_of(one, dim));
         text += one;
         if (event.kind != "start")
-          lines.push_back("  event: " + in_words(event));
+          lines.push_back("  event: " + in_words(event, dim));
       }
     all_rows += text;
     write(text, /*append=*/true);

@@ -42,6 +42,7 @@ namespace MixedCracks
     , crack_path_writer(options.output.directory, fields.communicator())
     , crack_sheet_writer(options.output.directory, fields)
     , event_table(options.output.directory,
+                  dim,
                   options.events,
                   fields.communicator())
     , crack_opening(fields, options.crack_opening.lines())

@@ -75,7 +75,7 @@ namespace MixedCracks
   {
     std::vector<std::string> names = MixedCracks::files_of_run(
       dim, parameters.output, !parameters.crack_opening.lines().empty());
-    if (!parameters.events.kinds().empty())
+    if (!parameters.events.kinds(dim).empty())
       names.insert(names.end(), {"events.csv", "events.csv.part"});
     if (!parameters.traction_profiles.text.empty())
       names.insert(names.end(),

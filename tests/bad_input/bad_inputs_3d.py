@@ -108,6 +108,17 @@ CASES = [
     box("a moment about a point of the plane", [
         ("Output/Watched boundaries", "top moment about 0, 0")],
         "Output/Watched boundaries", "point of 3 numbers"),
+    box("events of the plane", [("Output/Events", "onset, crack length")],
+        "Output/Events", "'crack length' with Geometry/Dimension = 3",
+        "'none', 'all', or a list of: onset, crack area, boundary, separation"),
+    several("events of space in the plane", [("Output/Events", "crack area")],
+            "Output/Events", "'crack area' with Geometry/Dimension = 2",
+            "'none', 'all', or a list of: onset, crack length, boundary, separation"),
+    box("all events and one more", [("Output/Events", "all, crack area")],
+        "Output/Events", "'all' alone", "onset, crack area, boundary, separation"),
+    value("Output/Event crack area", "-1", "found '-1'", "at least 0"),
+    box("events at every growth", [("Output/Event crack area", "0")],
+        "Output/Event crack area", "found 0", "above 0"),
     # at one node, which one rank owns
     later(box("an expression that fails", [
         ("Boundary conditions/Displacement", "top : all : 0 ; bottom : z : 1/(z-1)")],

@@ -2,10 +2,15 @@
 """Small runs for tests of what lies in output directories: a square of a mesh file
 with an initial crack, whose boundaries have commas in their names."""
 import csv
+import fcntl
 import json
 import os
 import pathlib
+import re
+import signal
+import subprocess
 import sys
+import time
 
 sys.path.append(str(pathlib.Path(__file__).resolve().parents[1]))
 from program import as_options, command, environment, output_of  # noqa: E402
@@ -83,11 +88,11 @@ def prepare(folder):
             stream.write(text)
 
 
-def run(program, folder, *options, ranks=1, settings=(), status=0):
+def run(program, folder, *options, case="case.prm", ranks=1, settings=(), status=0):
     """What the program says; its exit status has to be that one."""
     return output_of(
         [*command(program[0], program[1:], ranks), *as_options(settings), *options,
-         "case.prm"], status, cwd=folder,
+         str(case)], status, cwd=folder,
         env=environment(OMPI_MCA_odls_base_sigkill_timeout="0"))
 
 
@@ -130,3 +135,34 @@ def strict_json(*path):
     def refuse(word):
         raise AssertionError("%s in %s" % (word, path))
     return json.loads(text_of(*path), parse_constant=refuse)
+
+
+def steps_with_fields(*directory):
+    return {int(number) for number in
+            re.findall(r"fields_(\d+)\.pvtu", text_of(*directory, "fields.pvd"))}
+
+
+def killed_after_rows(words, directory, name, n_rows, **keywords):
+    """Start a run on one rank, and kill it when a table in its directory has so many
+    rows."""
+    process = subprocess.Popen(
+        words, env=environment(), stdin=subprocess.DEVNULL, stdout=subprocess.DEVNULL,
+        stderr=subprocess.DEVNULL, start_new_session=True, **keywords)
+    deadline = time.time() + 200
+    table = pathlib.Path(directory, name)
+    while process.poll() is None and time.time() < deadline:
+        if table.exists() and text_of(table).count("\n") > n_rows:
+            break
+        time.sleep(0.01)
+    os.killpg(process.pid, signal.SIGKILL)
+    process.wait()
+    # the rank is gone when its lock is, which may be a moment later
+    while time.time() < deadline + 20:
+        try:
+            with open(pathlib.Path(directory, ".lock"), "rb") as lock:
+                fcntl.flock(lock, fcntl.LOCK_EX | fcntl.LOCK_NB)
+            return
+        except BlockingIOError:
+            time.sleep(0.05)
+        except FileNotFoundError:
+            return

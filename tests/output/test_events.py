@@ -5,21 +5,18 @@ number of ranks and in a run that is killed and goes on.
 
 usage: test_events.py EXECUTABLE MPIRUN
 """
-import fcntl
 import os
 import pathlib
 import re
 import shutil
-import signal
-import subprocess
 import sys
 import tempfile
-import time
 import unittest
 
 sys.path.append(str(pathlib.Path(__file__).resolve().parents[1] / "resume"))
 import runs  # noqa: E402
-from small_runs import table_of, text_of  # noqa: E402
+from small_runs import (  # noqa: E402
+    killed_after_rows, steps_with_fields, table_of, text_of)
 
 STEP = 0.2  # mm
 WATCHED = ["Output/Events=all", "Output/Event crack length=%g" % STEP,
@@ -27,11 +24,6 @@ WATCHED = ["Output/Events=all", "Output/Event crack length=%g" % STEP,
            "Output/Checkpoint every=1"]
 NUMBERS = ("time_s", "displacement_mm", "force_N", "crack_length_mm", "growth_mm",
            "x_mm", "y_mm")
-
-
-def steps_with_fields(directory):
-    return {int(number) for number in
-            re.findall(r"fields_(\d+)\.pvtu", text_of(directory, "fields.pvd"))}
 
 
 class Events(unittest.TestCase):
@@ -113,35 +105,11 @@ class Events(unittest.TestCase):
             self.same_events(directory)
             self.assertEqual(steps_with_fields(directory), steps_with_fields(self.whole))
 
-    def killed_after_rows(self, directory, n_rows):
-        """A run that is killed when its table has so many rows."""
-        process = subprocess.Popen(
-            self.calculate.command(directory, settings=WATCHED), env=runs.environment(),
-            stdin=subprocess.DEVNULL, stdout=subprocess.DEVNULL,
-            stderr=subprocess.DEVNULL, start_new_session=True)
-        deadline = time.time() + 200
-        while process.poll() is None and time.time() < deadline:
-            path = directory / "events.csv"
-            if path.exists() and text_of(path).count("\n") > n_rows:
-                break
-            time.sleep(0.01)
-        os.killpg(process.pid, signal.SIGKILL)
-        process.wait()
-        # the rank is gone when its lock is, which may be a moment later
-        while time.time() < deadline + 20:
-            try:
-                with open(directory / ".lock", "rb") as lock:
-                    fcntl.flock(lock, fcntl.LOCK_EX | fcntl.LOCK_NB)
-                return
-            except BlockingIOError:
-                time.sleep(0.05)
-            except FileNotFoundError:
-                return
-
     def test_killed_in_between(self):
         for n_rows in range(1, len(self.events), 2):
             directory = self.folder / ("killed%d" % n_rows)
-            self.killed_after_rows(directory, n_rows)
+            killed_after_rows(self.calculate.command(directory, settings=WATCHED),
+                              directory, "events.csv", n_rows)
             if not list(directory.glob("checkpoint/*/seal.txt")):
                 self.calculate(directory, "--overwrite", settings=WATCHED)
             elif not (directory / "summary.json").exists():
@@ -197,12 +165,6 @@ class Events(unittest.TestCase):
             self.assertIn(says, said)
             self.assertEqual(len(runs.errors_in(said)), 1, said)
         self.assertFalse((self.folder / "wrong").exists())
-        said = subprocess.run(
-            [sys.argv[1], str(runs.ROOT / "tests" / "regression" / "strip_3d.prm"),
-             "--check", "--set", "Output/Events=onset"], env=runs.environment(),
-            stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, check=False)
-        self.assertEqual(said.returncode, 2, said.stdout)
-        self.assertIn("2-d only", said.stdout)
 
 
 if __name__ == "__main__":

@@ -40,6 +40,37 @@ namespace
   const DamageOrigins nothing = origins_of({});
   const DamageOrigins at_tip  = origins_of({Point<2>(0., 0.)});
 
+  // The same in space: a body of 10 x 4 x 4 with a slit that runs through it
+  // from the side x = 0, a crack from the slit to x. Sheets touch boundaries in
+  // lines, of which the middle of the crack is the first point.
+  TracedCracks
+  sheet_to(const double x)
+  {
+    TracedCracks traced;
+    if (x <= 0.)
+      return traced;
+    CrackSheet sheet;
+    sheet.area       = 4. * x;
+    sheet.start      = "slit";
+    sheet.boundaries = {"back", "front", "slit"};
+    for (const double z : {0., 4.})
+    {
+      sheet.contacts.push_back({{0.5 * x, 2., z}});
+      for (double s = 0.1; s < x; s += 0.2)
+        sheet.contacts.back().emplace_back(s, 2., z);
+    }
+    sheet.contacts.push_back({{0., 2., 2.}});
+    if (x >= 10.)
+    {
+      sheet.boundaries.insert(sheet.boundaries.begin() + 2, "right");
+      sheet.contacts.insert(sheet.contacts.begin() + 2,
+                            {{10., 2., 2.}, {10., 2., 1.}});
+    }
+    traced.sheets        = {sheet};
+    traced.separate_body = x >= 10.;
+    return traced;
+  }
+
   // "kind boundary; ..." of a step, which is remembered
   std::string
   step(CrackEvents         &events,
@@ -61,7 +92,7 @@ namespace
 
 TEST(CrackEvents, OfACrackThatRunsThroughABody)
 {
-  CrackEvents events(event_kinds(), 2.);
+  CrackEvents events(2, event_kinds(2), 2.);
   EXPECT_EQ(step(events, crack_to(0.), nothing), "start;");
   EXPECT_EQ(step(events, crack_to(0.), nothing), "");
   EXPECT_EQ(step(events, crack_to(0.5), at_tip), "onset;");
@@ -79,7 +110,7 @@ TEST(CrackEvents, OfACrackThatRunsThroughABody)
 
 TEST(CrackEvents, WhatIsThereAtTheStartIsNoEvent)
 {
-  CrackEvents  events(event_kinds(), 2.);
+  CrackEvents  events(2, event_kinds(2), 2.);
   TracedCracks cracks        = crack_to(3.);
   cracks.paths[0].start.name = "left";
   EXPECT_EQ(step(events, cracks, nothing), "start;start left;");
@@ -96,13 +127,13 @@ TEST(CrackEvents, WhatIsThereAtTheStartIsNoEvent)
 
 TEST(CrackEvents, ACrackHasNotMetTheBoundaryItBeganAt)
 {
-  CrackEvents events({"boundary"}, 1.);
+  CrackEvents events(2, {"boundary"}, 1.);
   step(events, crack_to(0.), nothing);
   TracedCracks cracks = crack_to(10.);
   // from right to the notch, from the middle, and a second one to the right
   EXPECT_EQ(step(events, cracks, origins_of({Point<2>(10., 0.)})),
             "boundary notch;");
-  CrackEvents others({"boundary"}, 1.);
+  CrackEvents others(2, {"boundary"}, 1.);
   step(others, crack_to(0.), nothing);
   const DamageOrigins middle = origins_of({Point<2>(5., 0.)});
   EXPECT_EQ(step(others, cracks, middle), "boundary notch;boundary right;");
@@ -116,7 +147,7 @@ TEST(CrackEvents, ACrackHasNotMetTheBoundaryItBeganAt)
 
 TEST(CrackEvents, OnlyWhatIsWatched)
 {
-  CrackEvents events({"separation"}, 1.);
+  CrackEvents events(2, {"separation"}, 1.);
   EXPECT_EQ(step(events, crack_to(0.), nothing), "start;");
   EXPECT_EQ(step(events, crack_to(5.), at_tip), "");
   EXPECT_EQ(step(events, crack_to(10.), at_tip), "separation;");
@@ -128,27 +159,89 @@ TEST(CrackEvents, OnlyWhatIsWatched)
 TEST(CrackEvents, GoOnFromWhatIsRemembered)
 {
   const std::vector<double> lengths{0., 0.3, 1.1, 2.00000000004, 2.2, 6., 10.};
-  const auto all_from = [&](const std::size_t begin, CrackEvents events) {
-    std::string words;
-    for (std::size_t n = begin; n < lengths.size(); ++n)
-      words +=
-        step(events, crack_to(lengths[n]), n > 0 ? at_tip : nothing) + '|';
-    return words;
-  };
-  CrackEvents             live(event_kinds(), 1.);
-  std::vector<CrackEvent> rows;
-  for (std::size_t n = 0; n < lengths.size(); ++n)
+  for (const int dim : {2, 3})
   {
-    CrackEvents resumed(event_kinds(), 1.);
-    for (const CrackEvent &row : rows)
-      resumed.remember(row);
-    EXPECT_EQ(all_from(n, resumed), all_from(n, live)) << n;
-    for (const CrackEvent &event :
-         live.look(crack_to(lengths[n]), n > 0 ? at_tip : nothing))
+    const CrackEvents anew(dim, event_kinds(dim), dim == 2 ? 1. : 4.);
+    const auto        look = [&](const std::size_t n, CrackEvents &events) {
+      return step(events,
+                  dim == 2 ? crack_to(lengths[n]) : sheet_to(lengths[n]),
+                  n > 0 ? at_tip : nothing);
+    };
+    const auto all_from = [&](const std::size_t begin, CrackEvents events) {
+      std::string words;
+      for (std::size_t n = begin; n < lengths.size(); ++n)
+        words += look(n, events) + '|';
+      return words;
+    };
+    CrackEvents             live = anew;
+    std::vector<CrackEvent> rows;
+    for (std::size_t n = 0; n < lengths.size(); ++n)
     {
-      live.remember(event);
-      rows.push_back(event);
+      CrackEvents resumed = anew;
+      for (const CrackEvent &row : rows)
+        resumed.remember(row);
+      EXPECT_EQ(all_from(n, resumed), all_from(n, live)) << dim << ' ' << n;
+      for (const CrackEvent &event :
+           live.look(dim == 2 ? crack_to(lengths[n]) : sheet_to(lengths[n]),
+                     n > 0 ? at_tip : nothing))
+      {
+        live.remember(event);
+        rows.push_back(event);
+      }
     }
+    EXPECT_EQ(rows.size(), dim == 2 ? 8u : 10u);
   }
-  EXPECT_EQ(rows.size(), 8u);
+}
+
+
+
+TEST(CrackEvents, OfASheetThatRunsThroughABody)
+{
+  CrackEvents events(3, event_kinds(3), 8.); // mm^2, 2 mm
+  EXPECT_EQ(step(events, sheet_to(0.), nothing), "start;");
+  EXPECT_EQ(step(events, sheet_to(0.5), at_tip),
+            "onset;boundary back;boundary front;");
+  // lines on sides that have been met grow
+  EXPECT_EQ(step(events, sheet_to(1.9), at_tip), "");
+  EXPECT_EQ(step(events, sheet_to(2.), at_tip), "crack area;");
+  EXPECT_EQ(step(events, sheet_to(7.), at_tip), "crack area;");
+  EXPECT_EQ(step(events, sheet_to(10.), at_tip),
+            "crack area;boundary right;separation;");
+  EXPECT_EQ(step(events, sheet_to(10.), at_tip), "");
+}
+
+
+
+TEST(CrackEvents, EachSheetMeetsABoundary)
+{
+  CrackEvents  events(3, {"boundary"}, 1.);
+  TracedCracks cracks = sheet_to(3.);
+  cracks.sheets[0].start.clear(); // an initial crack
+  EXPECT_EQ(step(events, cracks, nothing),
+            "start;start back;start front;start slit;");
+  TracedCracks other = sheet_to(3.);
+  for (auto &line : other.sheets[0].contacts)
+    for (dealii::Point<3> &point : line)
+      point[1] = 3.;
+  cracks.sheets.push_back(other.sheets[0]);
+  EXPECT_EQ(step(events, cracks, nothing), "boundary back;boundary front;");
+  EXPECT_EQ(step(events, cracks, nothing), "");
+}
+
+
+
+TEST(CrackEvents, HaveAPlaceAndASizeInSpace)
+{
+  CrackEvents events(3, event_kinds(3), 8.);
+  step(events, sheet_to(0.), nothing);
+  DamageOrigins origins               = at_tip;
+  origins.nuclei[0][2]                = 1.5;
+  const std::vector<CrackEvent> found = events.look(sheet_to(3.), origins);
+  ASSERT_EQ(found.size(), 4u);
+  EXPECT_EQ(found[0].place.value(), Point<3>(0., 0., 1.5));
+  EXPECT_EQ(found[1].kind, "crack area");
+  EXPECT_EQ(found[1].growth, 12.);
+  EXPECT_FALSE(found[1].place);
+  EXPECT_EQ(found[2].place.value(), Point<3>(1.5, 2., 0.));
+  EXPECT_EQ(found[3].place.value(), Point<3>(1.5, 2., 4.));
 }

@@ -130,7 +130,10 @@ TEST(Dimension, ChecksThatTheGeometryExists)
 TEST(Dimension, ChecksWhatDependsOnIt)
 {
   EXPECT_EQ(problem(three, {"Load stepping/Stop when separated=true"}), "");
-  EXPECT_NE(problem(three, {"Output/Events=all"}).find("Output/Events"),
+  EXPECT_EQ(problem(three, {"Output/Events=all"}), "");
+  EXPECT_EQ(problem(three, {"Output/Events=onset, crack area"}), "");
+  EXPECT_NE(problem(three, {"Output/Events=onset, crack length"})
+              .find("onset, crack area, boundary, separation"),
             std::string::npos);
   // refused in plane stress only
   EXPECT_EQ(problem(three, {"Model/Deviator dimension=3"}), "");

@@ -124,6 +124,16 @@ TEST(SheetOutcome, ACrackFromOneSideIsArrested)
   EXPECT_EQ(sheet.start, "left");
   EXPECT_EQ(sheet.joins(), "left to back to front to tip");
   EXPECT_NEAR(sheet.area, 0.63 * 0.6, 0.5 * h * 0.6);
+  // in alphabetical order; the middle of each line on the boundary comes first,
+  // but for half a side: points are middles of sides
+  const std::vector<Point<3>> middles{
+    {0.5 * 0.63, 0.52, 0.}, {0.5 * 0.63, 0.52, 0.6}, {0., 0.52, 0.3}};
+  ASSERT_EQ(sheet.contacts.size(), middles.size());
+  for (std::size_t b = 0; b < middles.size(); ++b)
+  {
+    EXPECT_LT(sheet.contacts[b][0].distance(middles[b]), 0.75 * h) << b;
+    EXPECT_GT(sheet.contacts[b].size(), 5u);
+  }
   ASSERT_EQ(sheet.fronts.size(), 1u);
   EXPECT_FALSE(sheet.fronts[0].is_closed);
   EXPECT_NEAR(sheet.fronts[0].length, 0.6, 0.1 * h);
