@@ -42,6 +42,26 @@ namespace CaseSocket
       throw std::runtime_error("a request is incomplete");
   }
 
+  // The length of a text and room for three streams, as the system wants them.
+  struct Header
+  {
+    std::uint64_t length = 0;
+    iovec         part{&length, sizeof(length)};
+    alignas(cmsghdr) char space[CMSG_SPACE(sizeof(Request::streams))] = {};
+    msghdr message{};
+
+    Header()
+    {
+      message.msg_iov        = &part;
+      message.msg_iovlen     = 1;
+      message.msg_control    = space;
+      message.msg_controllen = sizeof(space);
+    }
+
+    Header(const Header &)            = delete;
+    Header &operator=(const Header &) = delete;
+  };
+
   // Words ended by zeros: the directory, the number of arguments, these, the
   // environment; the first bytes are their length, which the streams go with.
   inline void
@@ -52,20 +72,14 @@ namespace CaseSocket
     for (const auto *words : {&request.arguments, &request.environment})
       for (const std::string &word : *words)
         text += word + '\0';
-    std::uint64_t         length = text.size();
-    iovec                 part{&length, sizeof(length)};
-    alignas(cmsghdr) char space[CMSG_SPACE(sizeof(request.streams))] = {};
-    msghdr                message{};
-    message.msg_iov        = &part;
-    message.msg_iovlen     = 1;
-    message.msg_control    = space;
-    message.msg_controllen = sizeof(space);
-    cmsghdr *const header  = CMSG_FIRSTHDR(&message);
-    header->cmsg_level     = SOL_SOCKET;
-    header->cmsg_type      = SCM_RIGHTS;
-    header->cmsg_len       = CMSG_LEN(sizeof(request.streams));
+    Header first;
+    first.length          = text.size();
+    cmsghdr *const header = CMSG_FIRSTHDR(&first.message);
+    header->cmsg_level    = SOL_SOCKET;
+    header->cmsg_type     = SCM_RIGHTS;
+    header->cmsg_len      = CMSG_LEN(sizeof(request.streams));
     std::memcpy(CMSG_DATA(header), request.streams, sizeof(request.streams));
-    require(sendmsg(connection, &message, 0) == sizeof(length));
+    require(sendmsg(connection, &first.message, 0) == sizeof(first.length));
     for (std::size_t sent = 0; sent < text.size();)
     {
       const ssize_t n =
@@ -78,24 +92,18 @@ namespace CaseSocket
   inline Request
   receive(const int connection)
   {
-    Request               request;
-    std::uint64_t         length = 0;
-    iovec                 part{&length, sizeof(length)};
-    alignas(cmsghdr) char space[CMSG_SPACE(sizeof(request.streams))] = {};
-    msghdr                message{};
-    message.msg_iov        = &part;
-    message.msg_iovlen     = 1;
-    message.msg_control    = space;
-    message.msg_controllen = sizeof(space);
-    require(recvmsg(connection, &message, MSG_WAITALL) == sizeof(length));
-    require(CMSG_FIRSTHDR(&message) != nullptr);
+    Request request;
+    Header  first;
+    require(recvmsg(connection, &first.message, MSG_WAITALL) ==
+            sizeof(first.length));
+    require(CMSG_FIRSTHDR(&first.message) != nullptr);
     std::memcpy(request.streams,
-                CMSG_DATA(CMSG_FIRSTHDR(&message)),
+                CMSG_DATA(CMSG_FIRSTHDR(&first.message)),
                 sizeof(request.streams));
-    std::string text(length, '\0');
-    for (std::size_t got = 0; got < length;)
+    std::string text(first.length, '\0');
+    for (std::size_t got = 0; got < text.size();)
     {
-      const ssize_t n = read(connection, &text[got], length - got);
+      const ssize_t n = read(connection, &text[got], text.size() - got);
       require(n > 0);
       got += n;
     }

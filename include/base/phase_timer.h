@@ -28,8 +28,8 @@ namespace MixedCracks
 
     private:
       dealii::TimerOutput::Scope scope;
-      double                    &memory;
-      double                     resident, peak; // MB, at the beginning
+      double                    &memory;     // MB, of this phase
+      double                    &peak_known; // MB, of the run
     };
 
     /// Do @p work in the middle of phase @p running, but count it as @p other.
@@ -40,9 +40,9 @@ namespace MixedCracks
     /// s in each phase so far, the largest over the ranks. Collective.
     std::map<std::string, double> seconds() const;
 
-    /// MB in each phase so far: what was resident at its beginning and end at
-    /// most, and in between as far as it was more than ever before; the sum
-    /// over the ranks, of each the most. Collective.
+    /// MB in each phase so far: what was resident at its end, and since the
+    /// phase before as far as it was more than ever; the sum over the ranks, of
+    /// each the most. Collective.
     std::map<std::string, double> memory() const;
 
     /// MB, the most that was ever resident, summed over the ranks. Collective.
@@ -51,7 +51,8 @@ namespace MixedCracks
   private:
     MPI_Comm                      communicator;
     dealii::TimerOutput           timer;
-    std::map<std::string, double> most; // MB of this rank
+    std::map<std::string, double> most;            // MB of this rank
+    double                        peak_known = 0.; // MB of this rank
   };
 } // namespace MixedCracks
 

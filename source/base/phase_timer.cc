@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // The system keeps the peak of the whole run alone. A phase in which it grows
-// has reached it; of another one, which stays below, both ends are known.
+// has reached it; of another one, which stays below, the end is known.
 
 #include <base/phase_timer.h>
 
@@ -47,19 +47,17 @@ namespace MixedCracks
   PhaseTimer::Scope::Scope(PhaseTimer &timer, const std::string &name)
     : scope(timer.timer, name)
     , memory(timer.most[name])
-  {
-    const Memory now = memory_now();
-    resident         = now.resident;
-    peak             = now.peak;
-  }
+    , peak_known(timer.peak_known)
+  {}
 
 
 
   PhaseTimer::Scope::~Scope()
   {
     const Memory now = memory_now();
-    memory           = std::max(
-      {memory, resident, now.resident, now.peak > peak ? now.peak : 0.});
+    memory =
+      std::max({memory, now.resident, now.peak > peak_known ? now.peak : 0.});
+    peak_known = now.peak;
   }
 
 
