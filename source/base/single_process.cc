@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cstdlib>
+#include <optional>
 
 namespace MixedCracks
 {
@@ -14,15 +15,26 @@ namespace MixedCracks
     // settings that make sense with the daemon of a singleton, too
     constexpr std::size_t n_with_daemon = 3;
 
-    bool
-    is_given(const std::string              &name,
+    // of a variable, if there is one
+    std::optional<std::string>
+    value_of(const std::string              &name,
              const std::vector<std::string> &environment)
     {
-      return std::any_of(environment.begin(),
-                         environment.end(),
-                         [&](const std::string &variable) {
-                           return starts_with(variable, name + "=");
-                         });
+      for (const std::string &variable : environment)
+        if (starts_with(variable, name + "="))
+          return variable.substr(name.size() + 1);
+      return {};
+    }
+
+
+
+    // As Open MPI's mpirun tells each rank.
+    bool
+    all_ranks_are_here(const std::vector<std::string> &environment)
+    {
+      const auto size = value_of("OMPI_COMM_WORLD_SIZE", environment);
+      return size &&
+             size == value_of("OMPI_COMM_WORLD_LOCAL_SIZE", environment);
     }
 
 
@@ -31,13 +43,14 @@ namespace MixedCracks
     without_given(std::vector<std::pair<std::string, std::string>> settings,
                   const std::vector<std::string>                  &environment)
     {
-      settings.erase(std::remove_if(settings.begin(),
-                                    settings.end(),
-                                    [&](const auto &setting) {
-                                      return is_given(setting.first,
-                                                      environment);
-                                    }),
-                     settings.end());
+      settings.erase(
+        std::remove_if(
+          settings.begin(),
+          settings.end(),
+          [&](const auto &setting) {
+            return value_of(setting.first, environment).has_value();
+          }),
+        settings.end());
       return settings;
     }
   } // namespace
@@ -99,6 +112,11 @@ namespace MixedCracks
     // /dev/shm cannot be written no checkpoint can.
     const std::pair<std::string, std::string> no_shared_pointers{
       "OMPI_MCA_sharedfp", "^sm"};
+    // Ranks on one machine need no network, and looking for Omni-Path takes 0.2
+    // s of each start where there is none.
+    const std::pair<std::string, std::string> no_network{"OMPI_MCA_pml", "ob1"};
+    if (all_ranks_are_here(environment))
+      return without_given({no_network, no_shared_pointers}, environment);
     if (has_launcher(environment))
       return without_given({no_shared_pointers}, environment);
     // Started without mpirun, Open MPI 4 forks a daemon in case the program
@@ -112,12 +130,12 @@ namespace MixedCracks
     // pointers that would look for it.
     std::vector<std::pair<std::string, std::string>> settings{
       {"OMPI_MCA_ess_singleton_isolated", "1"},
-      {"OMPI_MCA_pml", "ob1"},
+      no_network,
       {"OMPI_MCA_btl", "self"},
       {"OMPI_MCA_orte_create_session_dirs", "0"},
       no_shared_pointers};
     // who wants the daemon has its directory
-    if (is_given(settings.front().first, environment))
+    if (value_of(settings.front().first, environment))
       settings.resize(n_with_daemon);
     return without_given(settings, environment);
   }

@@ -13,6 +13,8 @@
 // agree to 1e-6 to 1e-5 of the largest one in their column. Newton's method
 // and the coupling are stopped by tolerances, and the order of sums depends on
 // the machine; agreement to more digits means nothing.
+#include <base/single_process.h>
+
 #include <input/case_signature.h>
 #include <input/dimension.h>
 #include <input/parameter_file.h>
@@ -170,6 +172,7 @@ namespace
 int
 main(int argc, char **argv)
 {
+  prepare_single_process();
   dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
   try
   {

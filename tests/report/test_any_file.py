@@ -27,7 +27,7 @@ from report_parts import page, pictures  # noqa: E402
 from sweep_parts import table  # noqa: E402
 from test_report import Balance, run_report  # noqa: E402
 
-N_RUNS, FIRST_SEED = 120, 1
+N_RUNS, FIRST_SEED = 40, 1
 FILES = ("statistics.csv", "summary.json", "crack_path.csv", "parameters.prm",
          "log.txt", "fields.pvd", "fields/step_1.pvtu", "fields/step_1.0.vtu")
 ODD = ("nan", "inf", "-inf", "-nan", "", "1e308", "-1e308", "1e400", "1e-320", "abc",

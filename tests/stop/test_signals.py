@@ -6,6 +6,7 @@ that was not stopped.
 
 usage: test_signals.py EXECUTABLE MPIRUN
 """
+import concurrent.futures
 import json
 import os
 import pathlib
@@ -53,7 +54,7 @@ def a_closed_terminal_does_not_stop_what_is_under_nohup(folder):
 
 
 def a_second_ctrl_c_ends_what_does_not_stop(folder):
-    """Two seconds after the first one, and not sooner."""
+    """Two seconds after the first one, and not sooner. Waits for most of its time."""
     deaf = folder / "deaf"
     deaf.write_text("#!/bin/sh\ntrap '' USR1\necho ready >'%s/ready'\n"
                     "exec sleep 60\n" % folder)
@@ -159,14 +160,16 @@ def main():
         folder = pathlib.Path(temporary)
         whole = folder / "whole"
         common.run(direct(), whole)
-        stopped_again_and_again(whole, folder / "parts")
+        with concurrent.futures.ThreadPoolExecutor(1) as beside:
+            ended = beside.submit(a_second_ctrl_c_ends_what_does_not_stop, folder)
+            stopped_again_and_again(whole, folder / "parts")
+            ended.result()
         a_closed_terminal_does_not_stop_what_is_under_nohup(folder)
         before_the_first_state(folder)
         a_request_that_gets_lost_is_repeated(folder)
         a_request_in_the_start_up_is_heard(folder)
         repeated_requests_are_one(folder)
         nobody_reads_what_it_says(folder)
-        a_second_ctrl_c_ends_what_does_not_stop(folder)
 
 
 if __name__ == "__main__":

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Starts MPI, runs all unit tests on every rank, and fails on all ranks when
 // one of them fails.
+#include <base/single_process.h>
+
 #include <deal.II/base/mpi.h>
 
 #include <gtest/gtest.h>
@@ -38,6 +40,7 @@ int
 main(int argc, char *argv[])
 {
   ::testing::InitGoogleTest(&argc, argv);
+  MixedCracks::prepare_single_process();
   dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
 
   const unsigned int rank =

@@ -90,24 +90,25 @@ namespace MixedCracks
     }
   }
 
-  // mpirun shows itself to the ranks of this program, at the least
+  TEST(SingleProcess, RanksOnOneMachineAskForNoNetwork)
+  {
+    std::vector<std::string> rank = terminal_with("OMPI_COMM_WORLD_SIZE=2");
+    rank.emplace_back("OMPI_COMM_WORLD_LOCAL_SIZE=1");
+    EXPECT_EQ(single_process_settings(rank), Settings{all[4]});
+    rank.back() = "OMPI_COMM_WORLD_LOCAL_SIZE=2";
+    EXPECT_EQ(single_process_settings(rank), (Settings{all[1], all[4]}));
+    rank.emplace_back("OMPI_MCA_pml=ucx");
+    EXPECT_EQ(single_process_settings(rank), Settings{all[4]});
+  }
+
+  // main() has prepared this process as that of the program does.
   TEST(SingleProcess, MpirunIsSeen)
   {
     if (std::getenv("OMPI_COMM_WORLD_SIZE") == nullptr)
       GTEST_SKIP() << "not started by Open MPI's mpirun";
-    std::vector<std::string> names;
-    for (unsigned int i = 0; i < 4; ++i)
-      names.push_back(all[i].first);
-    std::vector<std::string> before;
-    for (const std::string &name : names)
-      before.emplace_back(std::getenv(name.c_str()) ? std::getenv(name.c_str())
-                                                    : "not set");
-    prepare_single_process();
-    for (unsigned int i = 0; i < names.size(); ++i)
-    {
-      const char *now = std::getenv(names[i].c_str());
-      EXPECT_EQ(now ? now : "not set", before[i]) << names[i];
-    }
+    EXPECT_EQ(std::getenv("OMPI_MCA_ess_singleton_isolated"), nullptr);
+    EXPECT_EQ(std::getenv("OMPI_MCA_orte_create_session_dirs"), nullptr);
+    EXPECT_NE(std::getenv("OMPI_MCA_sharedfp"), nullptr);
   }
 
   TEST(SingleProcess, WhatTheUserHasSetIsLeftAlone)
