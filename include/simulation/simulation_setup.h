@@ -146,6 +146,11 @@ namespace MixedCracks
                          const Fields<dim>      &fields,
                          const Constraints<dim> &constraints);
 
+  /// Where most nodes are within the unbreakable margin: a sentence, else "".
+  template <int dim>
+  std::string warning_about_unbreakable(const Parameters<dim> &parameters,
+                                        const Fields<dim>     &fields);
+
   /// Nodes within the unbreakable margin.
   template <int dim>
   dealii::IndexSet unbreakable_nodes(const Parameters<dim> &parameters,

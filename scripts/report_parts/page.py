@@ -6,7 +6,7 @@ import html
 import os
 import re
 
-from . import crack_path, curves, moments, pictures, solids, vtu, words
+from . import crack_path, curves, moments, pictures, safe, solids, vtu, words
 from .results import Results
 
 PAGE = """<!DOCTYPE html>
@@ -136,7 +136,7 @@ def field_sections(results, force, remarks):
                        "could be drawn.</p>" + path_part(results, None, remarks))
     first, last = drawn[0][2], drawn[-1]
     if solids.is_solid(first):
-        return solid_sections(results, force, drawn)
+        return solid_sections(results, force, drawn, remarks)
     figures = [(pictures.phase_field_picture(fields),
                 caption(results, force, time, text)) for time, text, fields in drawn]
     note = "Phase field φ on the undeformed body" \
@@ -147,7 +147,7 @@ def field_sections(results, force, remarks):
         + body_section(results, drawn)
 
 
-def solid_sections(results, force, drawn):
+def solid_sections(results, force, drawn, remarks):
     """The same of a body in 3-d."""
     last = drawn[-1][2]
     region = solids.region_of(last)
@@ -159,8 +159,8 @@ def solid_sections(results, force, drawn):
                             "a box of %s from the undeformed body"
                             % words.number((region[1] - region[0]).max(), "mm"))
     return section("The crack", row(figures, solids.common_window(
-        [solids.corners_of(region)])) + "<p class=\"note\">%s</p>" % note, "long") \
-        + sections_part(results, region, *drawn[-1]) + body_section(results, drawn)
+        [solids.corners_of(region)])) + "<p class=\"note\">%s</p>" % note
+        + sheet_part(results, remarks), "long") + sections_part(results, region, *drawn[-1]) + body_section(results, drawn)
 
 
 def sections_part(results, region, time, text, fields):
@@ -181,10 +181,11 @@ def sections_part(results, region, time, text, fields):
 def path_part(results, fields, remarks):
     """The paths of the cracks: over the outline if there are fields, and as a
     table."""
+    if results.is_3d:
+        return sheet_part(results, remarks)
     cracks = crack_path.cracks_at_end(results.directory, remarks)
     if not cracks:
         return "<p class=\"note\">%s</p>" % (
-            "No path is drawn: paths are traced in 2-d only." if results.is_3d else
             "No path is drawn: there is no crack_path.csv." if cracks is None else
             "No path is drawn: crack_path.csv holds no crack.")
     text = ""
@@ -203,9 +204,40 @@ def path_part(results, fields, remarks):
                crack.start or inside, crack.end or inside, words.known(crack.length),
                words.known(crack.angle))))
         for i, crack in enumerate(cracks))
-    return "<div class=\"paths\">%s<table><tr>%s</tr>%s</table></div>" % (
-        text, "".join("<th>%s</th>" % name for name in (
-            "crack", "starts at", "ends at", "length (mm)", "kink angle (°)")), rows)
+    return "<div class=\"paths\">%s%s</div>" % (text, table_of(
+        ("crack", "starts at", "ends at", "length (mm)", "kink angle (°)"), rows))
+
+
+def table_of(header, rows):
+    return "<table><tr>%s</tr>%s</table>" % (
+        "".join("<th>%s</th>" % name for name in header), rows)
+
+
+def sheet_part(results, remarks):
+    """The cracks in space as a table."""
+    sheets = crack_path.sheets_at_end(results.directory, remarks)
+    if not sheets:
+        return "<p class=\"note\">%s</p>" % (
+            "No table of cracks: there is no crack_sheet.csv." if sheets is None else
+            "No table of cracks: crack_sheet.csv holds none.")
+
+    def figures(row, *names):
+        return [words.known(safe.finite(row.get(name))) for name in names]
+
+    def normal(row):
+        parts = [safe.finite(row.get("normal_" + axis)) for axis in "xyz"]
+        return words.known(None) if None in parts else ", ".join(
+            "%.2f" % (round(part, 2) + 0.) for part in parts)  # no -0.00
+
+    rows = "".join("<tr>%s</tr>" % "".join("<td>%s</td>" % escaped(value) for value in (
+        [row["crack"], row.get("start") or "unknown", row.get("joins") or ""]
+        + figures(row, "area_mm2", "front_length_mm")
+        + [normal(row)]
+        + figures(row, "mean_tip_speed_mm_per_s", "largest_tip_speed_mm_per_s",
+                  "mean_opening_angle_deg"))) for row in sheets)
+    return "<div class=\"paths\">%s</div>" % table_of(
+        ("crack", "starts at", "joins", "area (mm²)", "front (mm)", "mean normal",
+         "tip speed, mean (mm/s)", "largest (mm/s)", "opening angle (°)"), rows)
 
 
 def body_section(results, drawn):

@@ -347,27 +347,25 @@ namespace MixedCracks
   Preflight<dim>::find_warnings()
   {
     warn_of_model();
-    const std::string too_many_steps = body.parameters.load.warning();
-    if (!too_many_steps.empty())
-      found.push_back(too_many_steps);
     const CaseScales scales = case_scales(body.parameters,
                                           coarse_extent(body.triangulation),
                                           strength(),
                                           body.length_scale(),
                                           body.cell_size_at_cracks());
-    if (is_even_rubber())
-    {
-      const std::string decline =
-        warning_about_decline(body.material->description());
-      if (!decline.empty())
-        found.push_back(decline);
-    }
     log.line(in_words(scales.strength));
     const std::string remark = remark_about(scales);
     if (!remark.empty())
       log.line(remark);
-    for (const std::string &warning : warnings_about(scales))
-      found.push_back(warning);
+    std::vector<std::string> warnings = warnings_about(scales);
+    warnings.push_back(body.parameters.load.warning());
+    if (is_even_rubber())
+      warnings.push_back(warning_about_decline(body.material->description()));
+    if (!body.not_built)
+      warnings.push_back(
+        warning_about_unbreakable(body.parameters, body.fields));
+    for (const std::string &warning : warnings)
+      if (!warning.empty())
+        found.push_back(warning);
   }
 
 

@@ -3,6 +3,7 @@
 // break, values on the boundary.
 #include <base/collective.h>
 #include <base/errors.h>
+#include <base/log.h>
 
 #include <deal.II/numerics/vector_tools.h>
 
@@ -251,6 +252,27 @@ namespace MixedCracks
 
 
   template <int dim>
+  std::string
+  warning_about_unbreakable(const Parameters<dim> &parameters,
+                            const Fields<dim>     &fields)
+  {
+    const double n_unbreakable =
+      Utilities::MPI::sum(unbreakable_nodes(parameters, fields).n_elements(),
+                          fields.communicator());
+    const double share = n_unbreakable / fields.phase_field.n_dofs();
+    if (share < 0.5)
+      return "";
+    return format("%.0f %% of the nodes are within Boundary conditions/"
+                  "Unbreakable margin = %.4g mm of a boundary or point with "
+                  "prescribed displacement and cannot break; what is held as "
+                  "a plane of symmetry is written 'boundary : symmetry'",
+                  100. * share,
+                  parameters.boundary_conditions.unbreakable_margin());
+  }
+
+
+
+  template <int dim>
   std::map<types::global_dof_index, double>
   prescribed_phase_field(const Parameters<dim> &parameters,
                          const Fields<dim>     &fields,
@@ -287,6 +309,8 @@ namespace MixedCracks
     const Parameters<dim> &, const Fields<dim> &, const Constraints<dim> &); \
   template IndexSet unbreakable_nodes(const Parameters<dim> &,               \
                                       const Fields<dim> &);                  \
+  template std::string warning_about_unbreakable(const Parameters<dim> &,    \
+                                                 const Fields<dim> &);       \
   template std::map<types::global_dof_index, double> prescribed_phase_field( \
     const Parameters<dim> &, const Fields<dim> &, double);
   INSTANTIATE(2)

@@ -256,6 +256,10 @@ class ImplausibleNumbersAreWarnedOf(unittest.TestCase):
         self.assertTrue(run.warns_of("of the body after step 1, 0 % before it"),
                         run.warnings)
 
+    def test_a_margin_as_wide_as_the_body(self):
+        self.expect("100 % of the nodes are within",
+                    "Boundary conditions/Unbreakable margin=2")
+
     def test_others_are_not(self):
         check = Run(SQUARE, "Model/Length scale=0.5", "Geometry/Rectangle/Cell size=0.25",
                     arguments=("--check",))
