@@ -307,8 +307,8 @@ namespace MixedCracks
     const Parameters<dim> &, const Fields<dim> &, double);                   \
   template State undeformed_state(                                           \
     const Parameters<dim> &, const Fields<dim> &, const Constraints<dim> &); \
-  template IndexSet unbreakable_nodes(const Parameters<dim> &,               \
-                                      const Fields<dim> &);                  \
+  template IndexSet    unbreakable_nodes(const Parameters<dim> &,            \
+                                         const Fields<dim> &);               \
   template std::string warning_about_unbreakable(const Parameters<dim> &,    \
                                                  const Fields<dim> &);       \
   template std::map<types::global_dof_index, double> prescribed_phase_field( \
