@@ -4,6 +4,7 @@
 
 #include <solvers/assembled_product.h>
 #include <solvers/chebyshev.h>
+#include <solvers/convergence_record.h>
 #include <solvers/exact_block.h>
 #include <solvers/linear_solver.h>
 #include <solvers/multigrid.h>
@@ -76,9 +77,9 @@ namespace MixedCracks
                            std::vector<std::vector<double>> &modes);
 
     /// Continue from @p solution until the residual is below
-    /// @p relative_tolerance of the right hand side, both scaled.
+    /// @p relative_tolerance of the right hand side, both scaled, or an old
+    /// hierarchy has grown too slow.
     LinearOutcome iterate(double                       relative_tolerance,
-                          unsigned int                 max_iterations,
                           LinearAlgebra::Vector       &solution,
                           const LinearAlgebra::Vector &right_hand_side);
 
@@ -89,9 +90,6 @@ namespace MixedCracks
     }
 
     bool uses_conjugate_gradients() const;
-
-    /// Iterations after which a hierarchy that is not new is given up.
-    unsigned int patience(double relative_tolerance) const;
 
     LinearSolverOptions        options;
     LinearSystem               system;
@@ -106,10 +104,13 @@ namespace MixedCracks
     /// of LinearSystem::matrix, if there is one
     std::unique_ptr<AssembledProduct> assembled;
     LinearAlgebra::Vector             row_scale;
-    double                            matrix_diagonal      = 0.; // mean, of A
-    bool                              is_old               = false;
-    double                            iterations_per_digit = 0.; // when new
-    unsigned int                      n_hierarchies        = 0;
+    double                            matrix_diagonal = 0.; // mean, of A
+    bool                              is_old          = false;
+    ConvergenceRecord                 when_new; // of the present hierarchy
+    unsigned int                      n_hierarchies = 0;
+    /// matrices for which an old hierarchy is not tried: from now on, and after
+    /// it was given up last
+    unsigned int n_to_skip = 0, n_skipped = 0;
   };
 } // namespace MixedCracks
 

@@ -52,25 +52,44 @@ namespace MixedCracks
     const char *const      asked_to_stop = "block AMG was asked to stop";
     // a few iterations say nothing about a hierarchy
     constexpr unsigned int always_tolerated = 4;
+    // matrices for which an old hierarchy is not tried after one had to be
+    // given up: first 1, then so many
+    constexpr unsigned int most_skipped = 3;
 
 
 
-    // Gives up when the run is to stop.
-    class InterruptibleControl : public SolverControl
+    // Gives up when the run is to stop, and when an old hierarchy needs more
+    // than 'growth' times the iterations that it needed for this much when it
+    // was new.
+    class Control : public SolverControl
     {
     public:
-      InterruptibleControl(const StopCheck   &stop,
-                           const unsigned int max_iterations,
-                           const double       tolerance)
+      Control(const StopCheck   &stop,
+              const unsigned int max_iterations,
+              const double       tolerance,
+              const double       growth, // of an old one; 0: it is new
+              ConvergenceRecord &when_new)
         : SolverControl(max_iterations, tolerance, false, false)
         , stop(stop)
+        , growth(growth)
+        , is_recorded(growth == 0. && when_new.is_empty())
+        , when_new(when_new)
       {}
 
       State
       check(const unsigned int step, const double residual) override
       {
-        const State state = SolverControl::check(step, residual);
-        if (state == iterate && is_to_stop(stop, "iteration of block AMG"))
+        SolverControl::check(step, residual);
+        const double digits =
+          step == 0 ? 0. : std::log10(initial_value() / residual);
+        if (is_recorded && step > 0)
+          when_new.add(digits);
+        if (lcheck != iterate)
+          return lcheck;
+        if (growth > 0. &&
+            step > always_tolerated + growth * when_new.iterations_for(digits))
+          lcheck = failure;
+        if (is_to_stop(stop, "iteration of block AMG"))
         {
           is_interrupted = true;
           lcheck         = failure;
@@ -81,7 +100,10 @@ namespace MixedCracks
       bool is_interrupted = false;
 
     private:
-      const StopCheck &stop;
+      const StopCheck   &stop;
+      const double       growth;
+      const bool         is_recorded;
+      ConvergenceRecord &when_new;
     };
   } // namespace
 
@@ -256,16 +278,19 @@ namespace MixedCracks
 
 
   LinearOutcome
-  BlockAmgSolver::iterate(const double       relative_tolerance,
-                          const unsigned int max_iterations,
-                          Vector            &solution,
-                          const Vector      &right_hand_side)
+  BlockAmgSolver::iterate(const double  relative_tolerance,
+                          Vector       &solution,
+                          const Vector &right_hand_side)
   {
     Vector scaled(right_hand_side);
     scaled.scale(row_scale);
     const double         tolerance = relative_tolerance * scaled.l2_norm();
     LinearOutcome        outcome;
-    InterruptibleControl control(system.stop, max_iterations, tolerance);
+    Control              control(system.stop,
+                    options.max_iterations,
+                    tolerance,
+                    is_old ? options.tolerated_growth : 0.,
+                    when_new);
     const ScaledMatrix   matrix(*this);
     const Preconditioner preconditioner(*this);
     try
@@ -302,23 +327,8 @@ namespace MixedCracks
       if (control.is_interrupted)
         outcome.reason = asked_to_stop;
     }
-    outcome.iterations  = control.last_step();
-    const double digits = std::log10(control.initial_value() / tolerance);
-    // remembered for patience()
-    if (!is_old && iterations_per_digit == 0. && digits > 0.5)
-      iterations_per_digit = outcome.iterations / digits;
+    outcome.iterations = control.last_step();
     return outcome;
-  }
-
-
-
-  unsigned int
-  BlockAmgSolver::patience(const double relative_tolerance) const
-  {
-    const double digits = -std::log10(relative_tolerance);
-    return std::min<double>(options.max_iterations,
-                            always_tolerated + options.tolerated_growth *
-                                                 iterations_per_digit * digits);
   }
 
 
@@ -332,15 +342,22 @@ namespace MixedCracks
     if (right_hand_side.l2_norm() == 0.)
       return {};
     unsigned int earlier = 0;
-    if (multigrid && is_old && options.tolerated_growth > 0.)
+    const bool is_tried  = multigrid && is_old && options.tolerated_growth > 0.;
+    if (is_tried && n_to_skip > 0)
+      --n_to_skip;
+    else if (is_tried)
     {
-      const LinearOutcome outcome = iterate(relative_tolerance,
-                                            patience(relative_tolerance),
-                                            solution,
-                                            right_hand_side);
+      const LinearOutcome outcome =
+        iterate(relative_tolerance, solution, right_hand_side);
       if (outcome.success || outcome.reason == asked_to_stop)
+      {
+        n_skipped = 0;
         return outcome;
+      }
       earlier = outcome.iterations;
+      // while a crack runs the next one will be no better
+      n_skipped = std::min(2 * n_skipped + 1, most_skipped);
+      n_to_skip = n_skipped;
     }
     if (!multigrid || is_old)
     {
@@ -351,8 +368,8 @@ namespace MixedCracks
       if (is_to_stop(system.stop, "set-up of block AMG (ML)"))
         return {false, earlier, asked_to_stop};
     }
-    LinearOutcome outcome = iterate(
-      relative_tolerance, options.max_iterations, solution, right_hand_side);
+    LinearOutcome outcome =
+      iterate(relative_tolerance, solution, right_hand_side);
     outcome.iterations += earlier;
     return outcome;
   }

@@ -167,8 +167,8 @@ namespace MixedCracks
     row_scale       = 1.;
     if (has_pressure)
       set_up_pressure(*auxiliary.pressure);
-    is_old               = false;
-    iterations_per_digit = 0.;
+    is_old = false;
+    when_new.clear();
     ++n_hierarchies;
   }
 } // namespace MixedCracks

@@ -52,8 +52,9 @@ namespace MixedCracks
         linear.tolerated_growth,
         "Iterative solvers keep a multigrid hierarchy for a new "
         "matrix as long as they need at most this times the "
-        "iterations, per digit, that they needed when it was "
-        "new. 0: a new one for each matrix. Unit: 1.",
+        "iterations that they needed for the same reduction of "
+        "the residual when it was new. 0: a new one for each "
+        "matrix. Unit: 1.",
         Patterns::Double(0.));
     }
   } // namespace

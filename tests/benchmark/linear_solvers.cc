@@ -16,6 +16,7 @@
 //   --dim 2|3  --largest UNKNOWNS  --smallest UNKNOWNS  --displacement
 //   --solver "block AMG"|direct|both  --worst (broken through, kappa = 1e-6)
 //   --tolerance 1e-8  --random (right hand side)
+//   --levels N (adaptive ones of the study; 4, in 3-d 2)
 //   --orderings AMD,PORD,METIS (of the study; without: all)
 #include "measurement.h"
 
@@ -43,6 +44,7 @@ namespace
     bool        worst     = false;
     bool        random    = false;
     double      tolerance = 1e-8;
+    int         levels    = 0; // 0: that of the dimension
   };
 
   Arguments
@@ -73,6 +75,8 @@ namespace
         result.solver = argv[++i];
       else if (option == "--orderings")
         result.orderings = argv[++i];
+      else if (option == "--levels")
+        result.levels = std::stoi(argv[++i]);
       else if (option == "--tolerance")
         result.tolerance = std::stod(argv[++i]);
       else
@@ -498,7 +502,10 @@ namespace
     if (arguments.study == "sizes")
       study_sizes<dim>(arguments, 0);
     else if (arguments.study == "adaptive")
-      study_sizes<dim>(arguments, dim == 2 ? 4 : 2);
+      study_sizes<dim>(arguments,
+                       arguments.levels > 0 ? arguments.levels
+                       : dim == 2           ? 4
+                                            : 2);
     else if (arguments.study == "beside")
       study_beside<dim>(arguments);
     else if (arguments.study == "products")

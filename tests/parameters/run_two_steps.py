@@ -38,6 +38,8 @@ SHORT = {
     "pure_shear.prm": ["Mesh/Refined surroundings=", "Mesh/Adaptive levels=0"],
     "tearing_strip.prm": ["Mesh/Refined boxes="],
     "slit_cube.prm": ["Mesh/Adaptive levels=0"],
+    "punctured_strip_3d.prm": ["Mesh/Refined surroundings=",
+                               "Mesh/Adaptive levels=1"],
     "heterogeneous_block.prm": ["Mesh/Adaptive levels=0"],
     "block_with_inclusion.prm": ["Mesh/Adaptive levels=0"],
 }

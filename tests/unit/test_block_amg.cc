@@ -253,6 +253,14 @@ TEST(BlockAmg, KeepsAHierarchyThatIsStillGoodAndReplacesOneThatIsNot)
   ASSERT_TRUE(solver.factorize().success);
   expect_direct_solution(system, solver, 1e-5);
   EXPECT_EQ(solver.n_setups(), 2u);
+  // after one that was given up the next is not tried, but the one after that
+  // is
+  for (unsigned int i = 0; i < 3; ++i)
+  {
+    ASSERT_TRUE(solver.factorize().success);
+    expect_direct_solution(system, solver, 1e-5);
+    EXPECT_EQ(solver.n_setups(), 3u);
+  }
 }
 
 
