@@ -146,7 +146,8 @@ namespace MixedCracks
                          const Fields<dim>      &fields,
                          const Constraints<dim> &constraints);
 
-  /// Where most nodes are within the unbreakable margin: a sentence, else "".
+  /// Where half of the body is within the unbreakable margin: a sentence, else
+  /// "". Collective.
   template <int dim>
   std::string warning_about_unbreakable(const Parameters<dim> &parameters,
                                         const Fields<dim>     &fields);

@@ -106,11 +106,14 @@ namespace MixedCracks
     LinearAlgebra::Vector             row_scale;
     double                            matrix_diagonal = 0.; // mean, of A
     bool                              is_old          = false;
-    ConvergenceRecord                 when_new; // of the present hierarchy
-    unsigned int                      n_hierarchies = 0;
-    /// matrices for which an old hierarchy is not tried: from now on, and after
-    /// it was given up last
-    unsigned int n_to_skip = 0, n_skipped = 0;
+    /// of the last new hierarchy that has one, and whether it is the present
+    /// one
+    ConvergenceRecord when_new;
+    bool              is_recorded   = false;
+    unsigned int      n_hierarchies = 0;
+    /// next matrices for which no old hierarchy is tried; how many they were
+    /// after the last one that was given up
+    unsigned int n_untried = 0, pause = 0;
   };
 } // namespace MixedCracks
 

@@ -8,48 +8,41 @@
 
 namespace MixedCracks
 {
-  /// How many iterations a solver has needed for each reduction of its
-  /// residual, to judge later solutions by.
+  /// How far a solution has come after each of its iterations, in digits: the
+  /// residual was 10^-digits of the first one, or less. To judge later
+  /// solutions by.
   class ConvergenceRecord
   {
   public:
+    /// After one more iteration. The residual of conjugate gradients may grow
+    /// in between; what it has been counts.
     void
-    clear()
+    add(const double digits)
     {
-      digits.clear();
+      reached.push_back(std::max(digits, this->digits()));
     }
 
-    bool
-    is_empty() const
-    {
-      return digits.empty();
-    }
-
-    /// The residual is 10^-@p reduction times the first one after one more
-    /// iteration.
-    void
-    add(const double reduction)
-    {
-      digits.push_back(digits.empty() ? reduction
-                                      : std::max(reduction, digits.back()));
-    }
-
-    /// For that reduction; beyond the last recorded one as many per digit as on
-    /// average. Infinite without a record.
+    /// After the last iteration.
     double
-    iterations_for(const double reduction) const
+    digits() const
     {
-      const auto reached =
-        std::lower_bound(digits.begin(), digits.end(), reduction);
-      if (reached != digits.end())
-        return reached - digits.begin() + 1.;
-      return digits.empty() || digits.back() <= 0.
-               ? HUGE_VAL
-               : digits.size() * reduction / digits.back();
+      return reached.empty() ? 0. : reached.back();
+    }
+
+    /// After that many iterations, beyond the last one at the mean rate.
+    /// Infinite without a record.
+    double
+    digits_after(const unsigned int n_iterations) const
+    {
+      if (reached.empty())
+        return HUGE_VAL;
+      if (n_iterations > reached.size())
+        return digits() * n_iterations / reached.size();
+      return n_iterations == 0 ? 0. : reached[n_iterations - 1];
     }
 
   private:
-    std::vector<double> digits;
+    std::vector<double> reached;
   };
 } // namespace MixedCracks
 

@@ -52,7 +52,7 @@ def rows_at_end(directory, name, remarks):
     if not closed:
         remarks.append(
             "%s is incomplete: the run is still going on, or it was killed. " % name
-            + ("What it says of cracks is that of step %d." % max(steps) if steps
+            + ("The cracks shown are those of step %d." % max(steps) if steps
                else "It holds no step yet."))
     return steps[max(steps)] if steps else []
 
@@ -70,6 +70,5 @@ def cracks_at_end(directory, remarks):
 
 
 def sheets_at_end(directory, remarks):
-    """Rows of crack_sheet.csv at the last step; None when there is no file."""
-    rows = rows_at_end(directory, SHEETS, remarks)
-    return None if rows is None else [row for _, row in rows]
+    """The same of crack_sheet.csv, as rows_at_end()."""
+    return rows_at_end(directory, SHEETS, remarks)

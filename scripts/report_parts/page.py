@@ -160,7 +160,8 @@ def solid_sections(results, force, drawn, remarks):
                             % words.number((region[1] - region[0]).max(), "mm"))
     return section("The crack", row(figures, solids.common_window(
         [solids.corners_of(region)])) + "<p class=\"note\">%s</p>" % note
-        + sheet_part(results, remarks), "long") + sections_part(results, region, *drawn[-1]) + body_section(results, drawn)
+        + sheet_part(results, remarks), "long") \
+        + sections_part(results, region, *drawn[-1]) + body_section(results, drawn)
 
 
 def sections_part(results, region, time, text, fields):
@@ -219,7 +220,7 @@ def sheet_part(results, remarks):
     if not sheets:
         return "<p class=\"note\">%s</p>" % (
             "No table of cracks: there is no crack_sheet.csv." if sheets is None else
-            "No table of cracks: crack_sheet.csv holds none.")
+            "No table of cracks: crack_sheet.csv holds no crack.")
 
     def figures(row, *names):
         return [words.known(safe.finite(row.get(name))) for name in names]
@@ -230,14 +231,19 @@ def sheet_part(results, remarks):
             "%.2f" % (round(part, 2) + 0.) for part in parts)  # no -0.00
 
     rows = "".join("<tr>%s</tr>" % "".join("<td>%s</td>" % escaped(value) for value in (
-        [row["crack"], row.get("start") or "unknown", row.get("joins") or ""]
+        [str(number), row.get("start") or "unknown", row.get("joins") or ""]
         + figures(row, "area_mm2", "front_length_mm")
         + [normal(row)]
         + figures(row, "mean_tip_speed_mm_per_s", "largest_tip_speed_mm_per_s",
-                  "mean_opening_angle_deg"))) for row in sheets)
-    return "<div class=\"paths\">%s</div>" % table_of(
-        ("crack", "starts at", "joins", "area (mm²)", "front (mm)", "mean normal",
-         "tip speed, mean (mm/s)", "largest (mm/s)", "opening angle (°)"), rows)
+                  "mean_opening_angle_deg"))) for number, row in sheets)
+    displacement = safe.finite(sheets[0][1].get("displacement_mm"))
+    where = "" if displacement is None else " at " + words.number(displacement, "mm")
+    note = "The cracks%s, when they have changed last; an empty front: none is left in " \
+        "the material." % where
+    return "<div class=\"paths\">%s</div><p class=\"note\">%s</p>" % (table_of(
+        ("crack", "starts at", "has come to", "area (mm²)", "front (mm)",
+         "mean normal", "mean tip speed (mm/s)", "largest tip speed (mm/s)",
+         "opening angle (°)"), rows), note)
 
 
 def body_section(results, drawn):

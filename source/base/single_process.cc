@@ -28,13 +28,15 @@ namespace MixedCracks
 
 
 
-    // As Open MPI's mpirun tells each rank.
+    // As Open MPI's mpirun tells each rank. What srun starts below it inherits
+    // these variables, and is another program.
     bool
     all_ranks_are_here(const std::vector<std::string> &environment)
     {
       const auto size = value_of("OMPI_COMM_WORLD_SIZE", environment);
       return size &&
-             size == value_of("OMPI_COMM_WORLD_LOCAL_SIZE", environment);
+             size == value_of("OMPI_COMM_WORLD_LOCAL_SIZE", environment) &&
+             !value_of("SLURM_PROCID", environment);
     }
 
 
@@ -112,11 +114,12 @@ namespace MixedCracks
     // /dev/shm cannot be written no checkpoint can.
     const std::pair<std::string, std::string> no_shared_pointers{
       "OMPI_MCA_sharedfp", "^sm"};
-    // Ranks on one machine need no network, and looking for Omni-Path takes 0.2
-    // s of each start where there is none.
-    const std::pair<std::string, std::string> no_network{"OMPI_MCA_pml", "ob1"};
+    // Ranks on one machine need no network, and "cm" takes 0.2 s of each start
+    // to look for Omni-Path where there is none. Which of the others serves is
+    // left to Open MPI.
     if (all_ranks_are_here(environment))
-      return without_given({no_network, no_shared_pointers}, environment);
+      return without_given({{"OMPI_MCA_pml", "^cm"}, no_shared_pointers},
+                           environment);
     if (has_launcher(environment))
       return without_given({no_shared_pointers}, environment);
     // Started without mpirun, Open MPI 4 forks a daemon in case the program
@@ -130,7 +133,7 @@ namespace MixedCracks
     // pointers that would look for it.
     std::vector<std::pair<std::string, std::string>> settings{
       {"OMPI_MCA_ess_singleton_isolated", "1"},
-      no_network,
+      {"OMPI_MCA_pml", "ob1"},
       {"OMPI_MCA_btl", "self"},
       {"OMPI_MCA_orte_create_session_dirs", "0"},
       no_shared_pointers};

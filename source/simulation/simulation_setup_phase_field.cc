@@ -187,85 +187,131 @@ namespace MixedCracks
 
 
 
-  // Where u is prescribed the stress is that of the clamp, not of the body: its
-  // concentration at the edge of a clamp or under a point would break it first.
+  namespace
+  {
+    // Where u is prescribed the stress is that of the clamp, not of the body:
+    // its concentration at the edge of a clamp or under a point would break it
+    // first.
+    template <int dim>
+    class UnbreakableMaterial
+    {
+    public:
+      UnbreakableMaterial(const Parameters<dim>    &parameters,
+                          const Triangulation<dim> &mesh)
+        : margin(parameters.boundary_conditions.unbreakable_margin())
+      {
+        if (margin == 0.)
+          return;
+        // the coarse mesh is known to every rank, and its boundary with
+        // prescribed displacement consists of flat faces
+        const auto  ids = parameters.geometry.chosen().boundary_ids();
+        BoundaryIds clamped;
+        for (const auto &entry : parameters.boundary_conditions.displacements())
+          if (entry.component < dim)
+          {
+            const BoundaryIds &held = ids.at(entry.boundary);
+            clamped.insert(held.begin(), held.end());
+          }
+        for (const auto &cell : mesh.cell_iterators_on_level(0))
+          for (const unsigned int face : cell->face_indices())
+            if (cell->face(face)->at_boundary() &&
+                clamped.contains(cell->face(face)->boundary_id()))
+            {
+              FlatPiece<dim> piece;
+              for (const unsigned int v : cell->face(face)->vertex_indices())
+                piece.corners[v] = cell->face(face)->vertex(v);
+              faces.push_back(piece);
+            }
+        auto entries = parameters.boundary_conditions.point_displacements();
+        const auto forces = parameters.boundary_conditions.point_forces();
+        entries.insert(entries.end(), forces.begin(), forces.end());
+        for (const auto &entry : placed_points(parameters, entries, mesh))
+          points.push_back(entry.point);
+        shifts = shifts_to_images(parameters, mesh);
+      }
+
+      bool
+      is_empty() const
+      {
+        return margin == 0.;
+      }
+
+      // cell_size: of the rounding that is forgiven
+      bool
+      contains(const Point<dim> &position, const double cell_size) const
+      {
+        const double far = margin + 1e-6 * cell_size;
+        for (const Tensor<1, dim> &shift : shifts)
+        {
+          const Point<dim> image = position + shift;
+          for (const FlatPiece<dim> &face : faces)
+            if (distance(image, face) <= far)
+              return true;
+          for (const Point<dim> &point : points)
+            if (image.distance(point) <= far)
+              return true;
+        }
+        return false;
+      }
+
+    private:
+      const double                margin;
+      std::vector<FlatPiece<dim>> faces;
+      std::vector<Point<dim>>     points;
+      std::vector<Tensor<1, dim>> shifts;
+    };
+  } // namespace
+
+
+
   template <int dim>
   IndexSet
   unbreakable_nodes(const Parameters<dim> &parameters,
                     const Fields<dim>     &fields)
   {
-    IndexSet     frozen(fields.phase_field.n_dofs());
-    const double margin = parameters.boundary_conditions.unbreakable_margin();
-    if (margin == 0.)
-      return frozen;
-    // the coarse mesh is known to every rank, and its boundary with
-    // prescribed displacement consists of flat faces
-    const auto  ids = parameters.geometry.chosen().boundary_ids();
-    BoundaryIds clamped;
-    for (const auto &entry : parameters.boundary_conditions.displacements())
-      if (entry.component < dim)
-      {
-        const BoundaryIds &held = ids.at(entry.boundary);
-        clamped.insert(held.begin(), held.end());
-      }
-    std::vector<FlatPiece<dim>> faces;
-    for (const auto &cell :
-         fields.phase_field.get_triangulation().cell_iterators_on_level(0))
-      for (const unsigned int face : cell->face_indices())
-        if (cell->face(face)->at_boundary() &&
-            clamped.contains(cell->face(face)->boundary_id()))
-        {
-          FlatPiece<dim> piece;
-          for (const unsigned int v : cell->face(face)->vertex_indices())
-            piece.corners[v] = cell->face(face)->vertex(v);
-          faces.push_back(piece);
-        }
-    auto       entries = parameters.boundary_conditions.point_displacements();
-    const auto forces  = parameters.boundary_conditions.point_forces();
-    entries.insert(entries.end(), forces.begin(), forces.end());
-    const auto points = placed_points(
-      parameters, entries, fields.phase_field.get_triangulation());
-    const auto shifts =
-      shifts_to_images(parameters, fields.phase_field.get_triangulation());
-    for_each_node(fields,
-                  [&](const types::global_dof_index dof,
-                      const Point<dim>             &position,
-                      const double                  size) {
-                    const double far = margin + 1e-6 * size;
-                    for (const Tensor<1, dim> &shift : shifts)
-                    {
-                      const Point<dim> image = position + shift;
-                      for (const FlatPiece<dim> &face : faces)
-                        if (distance(image, face) <= far)
-                        {
-                          frozen.add_index(dof);
-                          return;
-                        }
-                      for (const auto &entry : points)
-                        if (image.distance(entry.point) <= far)
-                          frozen.add_index(dof);
-                    }
-                  });
+    IndexSet                       frozen(fields.phase_field.n_dofs());
+    const UnbreakableMaterial<dim> unbreakable(
+      parameters, fields.phase_field.get_triangulation());
+    if (!unbreakable.is_empty())
+      for_each_node(fields,
+                    [&](const types::global_dof_index dof,
+                        const Point<dim>             &position,
+                        const double                  size) {
+                      if (unbreakable.contains(position, size))
+                        frozen.add_index(dof);
+                    });
     return frozen;
   }
 
 
 
+  // The middles of cells count, so that it does not depend on the refinement.
   template <int dim>
   std::string
   warning_about_unbreakable(const Parameters<dim> &parameters,
                             const Fields<dim>     &fields)
   {
-    const double n_unbreakable =
-      Utilities::MPI::sum(unbreakable_nodes(parameters, fields).n_elements(),
-                          fields.communicator());
-    const double share = n_unbreakable / fields.phase_field.n_dofs();
+    const UnbreakableMaterial<dim> unbreakable(
+      parameters, fields.phase_field.get_triangulation());
+    if (unbreakable.is_empty())
+      return "";
+    std::vector<double> volumes(2, 0.); // of what cannot break, of all
+    for (const auto &cell : fields.phase_field.active_cell_iterators())
+      if (cell->is_locally_owned())
+      {
+        volumes[1] += cell->measure();
+        if (unbreakable.contains(cell->center(), 0.))
+          volumes[0] += cell->measure();
+      }
+    Utilities::MPI::sum(volumes, fields.communicator(), volumes);
+    const double share = volumes[0] / volumes[1];
     if (share < 0.5)
       return "";
-    return format("%.0f %% of the nodes are within Boundary conditions/"
+    return format("%.0f %% of the body are within Boundary conditions/"
                   "Unbreakable margin = %.4g mm of a boundary or point with "
-                  "prescribed displacement and cannot break; what is held as "
-                  "a plane of symmetry is written 'boundary : symmetry'",
+                  "prescribed displacement or a point with a force, and cannot "
+                  "break; a plane of symmetry that shall not count is written "
+                  "'boundary : symmetry'",
                   100. * share,
                   parameters.boundary_conditions.unbreakable_margin());
   }

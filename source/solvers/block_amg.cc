@@ -35,6 +35,7 @@
 #include <deal.II/lac/solver_gmres.h>
 
 #include <solvers/block_amg.h>
+#include <solvers/iteration_control.h>
 
 #include <algorithm>
 #include <cmath>
@@ -50,61 +51,11 @@ namespace MixedCracks
     // not end where broken cells are compressed
     constexpr unsigned int restart       = 100;
     const char *const      asked_to_stop = "block AMG was asked to stop";
-    // a few iterations say nothing about a hierarchy
-    constexpr unsigned int always_tolerated = 4;
+    // the end of a solution that an old one began may be too short to count
+    constexpr double least_recorded = 0.5; // digits
     // matrices for which an old hierarchy is not tried after one had to be
     // given up: first 1, then so many
-    constexpr unsigned int most_skipped = 3;
-
-
-
-    // Gives up when the run is to stop, and when an old hierarchy needs more
-    // than 'growth' times the iterations that it needed for this much when it
-    // was new.
-    class Control : public SolverControl
-    {
-    public:
-      Control(const StopCheck   &stop,
-              const unsigned int max_iterations,
-              const double       tolerance,
-              const double       growth, // of an old one; 0: it is new
-              ConvergenceRecord &when_new)
-        : SolverControl(max_iterations, tolerance, false, false)
-        , stop(stop)
-        , growth(growth)
-        , is_recorded(growth == 0. && when_new.is_empty())
-        , when_new(when_new)
-      {}
-
-      State
-      check(const unsigned int step, const double residual) override
-      {
-        SolverControl::check(step, residual);
-        const double digits =
-          step == 0 ? 0. : std::log10(initial_value() / residual);
-        if (is_recorded && step > 0)
-          when_new.add(digits);
-        if (lcheck != iterate)
-          return lcheck;
-        if (growth > 0. &&
-            step > always_tolerated + growth * when_new.iterations_for(digits))
-          lcheck = failure;
-        if (is_to_stop(stop, "iteration of block AMG"))
-        {
-          is_interrupted = true;
-          lcheck         = failure;
-        }
-        return lcheck;
-      }
-
-      bool is_interrupted = false;
-
-    private:
-      const StopCheck   &stop;
-      const double       growth;
-      const bool         is_recorded;
-      ConvergenceRecord &when_new;
-    };
+    constexpr unsigned int longest_pause = 3;
   } // namespace
 
 
@@ -249,6 +200,8 @@ namespace MixedCracks
   {
     system = new_system;
     drop_hierarchy();
+    when_new  = {};
+    n_untried = pause = 0;
     GrowingVectorMemory<Vector>::release_unused_memory();
     is_displacement = system.is_pressure;
     is_displacement.flip();
@@ -286,11 +239,11 @@ namespace MixedCracks
     scaled.scale(row_scale);
     const double         tolerance = relative_tolerance * scaled.l2_norm();
     LinearOutcome        outcome;
-    Control              control(system.stop,
-                    options.max_iterations,
-                    tolerance,
-                    is_old ? options.tolerated_growth : 0.,
-                    when_new);
+    IterationControl     control(system.stop,
+                             options.max_iterations,
+                             tolerance,
+                             is_old ? &when_new : nullptr,
+                             options.tolerated_growth);
     const ScaledMatrix   matrix(*this);
     const Preconditioner preconditioner(*this);
     try
@@ -328,6 +281,12 @@ namespace MixedCracks
         outcome.reason = asked_to_stop;
     }
     outcome.iterations = control.last_step();
+    if (!is_old && !is_recorded && outcome.success &&
+        control.record.digits() >= least_recorded)
+    {
+      when_new    = control.record;
+      is_recorded = true;
+    }
     return outcome;
   }
 
@@ -343,21 +302,21 @@ namespace MixedCracks
       return {};
     unsigned int earlier = 0;
     const bool is_tried  = multigrid && is_old && options.tolerated_growth > 0.;
-    if (is_tried && n_to_skip > 0)
-      --n_to_skip;
+    if (is_tried && n_untried > 0)
+      --n_untried;
     else if (is_tried)
     {
       const LinearOutcome outcome =
         iterate(relative_tolerance, solution, right_hand_side);
       if (outcome.success || outcome.reason == asked_to_stop)
       {
-        n_skipped = 0;
+        pause = 0;
         return outcome;
       }
       earlier = outcome.iterations;
       // while a crack runs the next one will be no better
-      n_skipped = std::min(2 * n_skipped + 1, most_skipped);
-      n_to_skip = n_skipped;
+      pause     = std::min(2 * pause + 1, longest_pause);
+      n_untried = pause;
     }
     if (!multigrid || is_old)
     {

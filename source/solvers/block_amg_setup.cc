@@ -167,8 +167,8 @@ namespace MixedCracks
     row_scale       = 1.;
     if (has_pressure)
       set_up_pressure(*auxiliary.pressure);
-    is_old = false;
-    when_new.clear();
+    is_old      = false;
+    is_recorded = false;
     ++n_hierarchies;
   }
 } // namespace MixedCracks

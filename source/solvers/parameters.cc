@@ -51,9 +51,11 @@ namespace MixedCracks
         "Tolerated growth of iterations",
         linear.tolerated_growth,
         "Iterative solvers keep a multigrid hierarchy for a new "
-        "matrix as long as they need at most this times the "
-        "iterations that they needed for the same reduction of "
-        "the residual when it was new. 0: a new one for each "
+        "matrix as long as they need at most 4 and this times "
+        "the iterations that they needed for the same reduction "
+        "of the residual when it was new. After one had to be "
+        "given up, the next matrix has a new one, after a second "
+        "time in a row the next three. 0: a new one for each "
         "matrix. Unit: 1.",
         Patterns::Double(0.));
     }

@@ -257,8 +257,11 @@ class ImplausibleNumbersAreWarnedOf(unittest.TestCase):
                         run.warnings)
 
     def test_a_margin_as_wide_as_the_body(self):
-        self.expect("100 % of the nodes are within",
+        self.expect("100 % of the body are within",
                     "Boundary conditions/Unbreakable margin=2")
+        check = Run(SQUARE, "Boundary conditions/Unbreakable margin=0.01",
+                    "Model/Length scale=0.5", arguments=("--check",))
+        self.assertNotIn("Unbreakable", check.log)
 
     def test_others_are_not(self):
         check = Run(SQUARE, "Model/Length scale=0.5", "Geometry/Rectangle/Cell size=0.25",

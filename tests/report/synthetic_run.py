@@ -67,6 +67,14 @@ def write_summary(directory, **changes):
 PATH_COLUMNS = ("step,time_s,displacement_mm,crack,length_mm,kink_angle_deg,start,"
                 "end,tip_x_mm,tip_y_mm,point,x_mm,y_mm,arc_length_mm")
 
+SHEETS = """step,time_s,displacement_mm,crack,area_mm2,front_length_mm,start,joins,x_mm,\
+y_mm,z_mm,normal_x,normal_y,normal_z,mean_tip_speed_mm_per_s,\
+largest_tip_speed_mm_per_s,mean_opening_angle_deg
+3,3,0.1,0,0.5,1.4,slit,slit to tip,0,0,0,0,1,0,0.5,0.7,3
+7,7,0.2,0,0.75,1.5,slit,slit to back to tip,0,0,0,-1e-11,0.999,0,0.5,,4
+# outcome: arrested; start: slit; joins: slit to back to tip
+"""
+
 
 def write_crack_path(directory, closed=True):
     """At step 10 one short crack; at step 11 it has run through, and another

@@ -132,6 +132,20 @@ class Page(unittest.TestCase):
                 self.examine(directory)
             shutil.rmtree(directory)
 
+    def test_damaged_table_of_sheets(self):
+        """Of a body in 3-d, without fields."""
+        shutil.rmtree(os.path.join(self.whole, "fields"))
+        for name in ("crack_path.csv", "fields.pvd"):
+            os.remove(os.path.join(self.whole, name))
+        with open(os.path.join(self.whole, "parameters.prm"), "a") as stream:
+            stream.write("subsection Geometry\n  set Dimension = 3\nend\n")
+        for seed in range(FIRST_SEED, FIRST_SEED + N_RUNS):
+            synthetic_run.write(
+                os.path.join(self.whole, "crack_sheet.csv"),
+                damaged(synthetic_run.SHEETS, random.Random(seed), "crack_sheet.csv"))
+            with self.subTest(seed=seed):
+                self.examine(self.whole)
+
     def test_binary_in_every_file(self):
         for name in FILES:
             with open(os.path.join(self.whole, name), "wb") as stream:

@@ -36,15 +36,6 @@ class Balance(HTMLParser):
         if not self.open or self.open.pop() != tag:
             raise AssertionError("</%s> closes nothing" % tag)
 
-SHEETS = """step,time_s,displacement_mm,crack,area_mm2,front_length_mm,start,joins,x_mm,\
-y_mm,z_mm,normal_x,normal_y,normal_z,mean_tip_speed_mm_per_s,\
-largest_tip_speed_mm_per_s,mean_opening_angle_deg
-3,3,0.1,0,0.5,1.4,slit,slit to tip,0,0,0,0,1,0,0.5,0.7,3
-7,7,0.2,0,0.75,1.5,slit,slit to back to tip,0,0,0,-1e-11,0.999,0,0.5,,4
-# outcome: arrested; start: slit; joins: slit to back to tip
-"""
-
-
 def run_report(*arguments, interpreter=(sys.executable,), **environment):
     return subprocess.run(list(interpreter) + [REPORT] + list(arguments),
                           stdout=subprocess.PIPE, stderr=subprocess.PIPE,
@@ -179,7 +170,7 @@ class Report(unittest.TestCase):
         self.assertNotIn("formulation, plane stress", text)
         self.assertNotIn("thick.", text)
         # the last step counts, and what is no number is a dash
-        synthetic_run.write(self.path("crack_sheet.csv"), SHEETS)
+        synthetic_run.write(self.path("crack_sheet.csv"), synthetic_run.SHEETS)
         self.assertIn("<td>0</td><td>slit</td><td>slit to back to tip</td><td>0.75</td>"
                       "<td>1.5</td><td>0.00, 1.00, 0.00</td><td>0.5</td><td>–</td>"
                       "<td>4</td>", self.page())
@@ -192,13 +183,13 @@ class Report(unittest.TestCase):
     def test_half_written_crack_path(self):
         synthetic_run.write_run(self.directory)
         synthetic_run.write_crack_path(self.directory, closed=False)
-        self.assertIn("What it says of cracks is that of step 11.", self.page())
+        self.assertIn("The cracks shown are those of step 11.", self.page())
         with open(self.path("crack_path.csv")) as stream:
             whole = stream.read()
         # cut in the last step: the one before it is the last whole one
         synthetic_run.write(self.path("crack_path.csv"), whole[:-5])
         text = self.page()
-        self.assertIn("What it says of cracks is that of step 10.", text)
+        self.assertIn("The cracks shown are those of step 10.", text)
         self.assertIn("<td>notch</td><td>inside the body</td>", text)
         self.assertNotIn("<td>notch</td><td>right</td>", text)
         for length in (0, 30, len(synthetic_run.PATH_COLUMNS) + 1):

@@ -96,8 +96,11 @@ namespace MixedCracks
     rank.emplace_back("OMPI_COMM_WORLD_LOCAL_SIZE=1");
     EXPECT_EQ(single_process_settings(rank), Settings{all[4]});
     rank.back() = "OMPI_COMM_WORLD_LOCAL_SIZE=2";
-    EXPECT_EQ(single_process_settings(rank), (Settings{all[1], all[4]}));
+    EXPECT_EQ(single_process_settings(rank),
+              (Settings{{"OMPI_MCA_pml", "^cm"}, all[4]}));
     rank.emplace_back("OMPI_MCA_pml=ucx");
+    EXPECT_EQ(single_process_settings(rank), Settings{all[4]});
+    rank.back() = "SLURM_PROCID=0"; // srun below mpirun
     EXPECT_EQ(single_process_settings(rank), Settings{all[4]});
   }
 
@@ -108,6 +111,7 @@ namespace MixedCracks
       GTEST_SKIP() << "not started by Open MPI's mpirun";
     EXPECT_EQ(std::getenv("OMPI_MCA_ess_singleton_isolated"), nullptr);
     EXPECT_EQ(std::getenv("OMPI_MCA_orte_create_session_dirs"), nullptr);
+    EXPECT_EQ(std::getenv("OMPI_MCA_btl"), nullptr);
     EXPECT_NE(std::getenv("OMPI_MCA_sharedfp"), nullptr);
   }
 
