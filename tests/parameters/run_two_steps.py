@@ -39,7 +39,7 @@ SHORT = {
     "tearing_strip.prm": ["Mesh/Refined boxes="],
     "slit_cube.prm": ["Mesh/Adaptive levels=0"],
     "punctured_strip_3d.prm": ["Mesh/Refined surroundings=",
-                               "Mesh/Adaptive levels=1"],
+                               "Mesh/Adaptive levels=0"],
     "heterogeneous_block.prm": ["Mesh/Adaptive levels=0"],
     "block_with_inclusion.prm": ["Mesh/Adaptive levels=0"],
 }

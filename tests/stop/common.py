@@ -17,12 +17,12 @@ from program import as_options  # noqa: E402, F401
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 CASE = ROOT / "parameters" / "epdm" / "punctured_strip.prm"
-# 24 steps of one length, before anything breaks
+# 48 steps of one length, before anything breaks
 COARSE = ["Mesh/Refined surroundings=", "Mesh/Adaptive levels=0",
           "Geometry/Punctured strip/Cell size=2",
           "Model/Length scale=4", "Model/Coupling tolerance=1e-4",
-          "Load stepping/End time=4.8", "Load stepping/First step=0.2",
-          "Load stepping/Largest step=0.2", "Output/Field format=none"]
+          "Load stepping/End time=4.8", "Load stepping/First step=0.1",
+          "Load stepping/Largest step=0.1", "Output/Field format=none"]
 LAUNCHER = ROOT / "scripts" / "mixed-cracks-run"
 WAIT = 120.  # s, when the machine is busy
 
