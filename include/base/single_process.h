@@ -13,11 +13,11 @@ namespace MixedCracks
   /// may be: a name that only hints at one counts, too.
   bool has_launcher(const std::vector<std::string> &environment);
 
-  /// Variables, names and values, for Open MPI: no shared file pointers; no
-  /// look at the network where all ranks are on this machine; and where this
-  /// process is the only one no daemon beside it and no temporary files that
-  /// others of its kind would share and remove. Without those that @p
-  /// environment has already.
+  /// Variables, names and values, for Open MPI: no shared file pointers; where
+  /// all ranks are on this machine no look for Omni-Path; where this process is
+  /// the only one no daemon beside it, no look at any network, and no temporary
+  /// files that others of its kind would share and remove. Without those that
+  /// @p environment has already.
   std::vector<std::pair<std::string, std::string>>
   single_process_settings(const std::vector<std::string> &environment);
 

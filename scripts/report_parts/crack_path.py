@@ -67,8 +67,3 @@ def cracks_at_end(directory, remarks):
         crack = cracks.setdefault(number, Crack(number, row))
         crack.points.append((float(row["x_mm"]), float(row["y_mm"])))
     return [cracks[number] for number in sorted(cracks)]
-
-
-def sheets_at_end(directory, remarks):
-    """The same of crack_sheet.csv, as rows_at_end()."""
-    return rows_at_end(directory, SHEETS, remarks)

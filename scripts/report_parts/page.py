@@ -180,8 +180,8 @@ def sections_part(results, region, time, text, fields):
 
 
 def path_part(results, fields, remarks):
-    """The paths of the cracks: over the outline if there are fields, and as a
-    table."""
+    """The paths of the cracks: over the outline if there are fields, and as a table;
+    in 3-d the table of their sheets."""
     if results.is_3d:
         return sheet_part(results, remarks)
     cracks = crack_path.cracks_at_end(results.directory, remarks)
@@ -216,7 +216,7 @@ def table_of(header, rows):
 
 def sheet_part(results, remarks):
     """The cracks in space as a table."""
-    sheets = crack_path.sheets_at_end(results.directory, remarks)
+    sheets = crack_path.rows_at_end(results.directory, crack_path.SHEETS, remarks)
     if not sheets:
         return "<p class=\"note\">%s</p>" % (
             "No table of cracks: there is no crack_sheet.csv." if sheets is None else
@@ -238,8 +238,8 @@ def sheet_part(results, remarks):
                   "mean_opening_angle_deg"))) for number, row in sheets)
     displacement = safe.finite(sheets[0][1].get("displacement_mm"))
     where = "" if displacement is None else " at " + words.number(displacement, "mm")
-    note = "The cracks%s, when they have changed last; an empty front: none is left in " \
-        "the material." % where
+    note = "The cracks%s, when they have changed last. Front 0: none is left in the " \
+        "material." % where
     return "<div class=\"paths\">%s</div><p class=\"note\">%s</p>" % (table_of(
         ("crack", "starts at", "has come to", "area (mm²)", "front (mm)",
          "mean normal", "mean tip speed (mm/s)", "largest tip speed (mm/s)",

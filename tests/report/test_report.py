@@ -36,6 +36,7 @@ class Balance(HTMLParser):
         if not self.open or self.open.pop() != tag:
             raise AssertionError("</%s> closes nothing" % tag)
 
+
 def run_report(*arguments, interpreter=(sys.executable,), **environment):
     return subprocess.run(list(interpreter) + [REPORT] + list(arguments),
                           stdout=subprocess.PIPE, stderr=subprocess.PIPE,
@@ -174,6 +175,7 @@ class Report(unittest.TestCase):
         self.assertIn("<td>0</td><td>slit</td><td>slit to back to tip</td><td>0.75</td>"
                       "<td>1.5</td><td>0.00, 1.00, 0.00</td><td>0.5</td><td>–</td>"
                       "<td>4</td>", self.page())
+        self.assertIn("The cracks at 0.2\u00a0mm, when they have changed last.", self.page())
 
     def test_crack_path_without_fields(self):
         synthetic_run.write_statistics(self.directory)
