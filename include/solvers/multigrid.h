@@ -5,6 +5,7 @@
 #include <base/linear_algebra.h>
 
 #include <Epetra_CrsMatrix.h>
+#include <solvers/node_blocks.h>
 
 #include <memory>
 #include <vector>
@@ -78,6 +79,9 @@ namespace MixedCracks
   private:
     std::shared_ptr<const Epetra_CrsMatrix>              matrix;
     std::unique_ptr<ML_Epetra::MultiLevelPreconditioner> cycle;
+
+    class FinestProducts;
+    std::unique_ptr<FinestProducts> finest_products;
   };
 
   /// Incomplete Cholesky-like factors without fill of a mass matrix, those of
