@@ -111,7 +111,7 @@ namespace MixedCracks
     void elastic_matrix(const Constraints           &constraints,
                         LinearAlgebra::SparseMatrix &matrix);
 
-    /// For products without a matrix: visit_tangents() are those of the last
+    /// For products without a matrix: tangents() are those of the last
     /// elastic_residual(), and distances those from the present state.
     void
     note_matrix()
@@ -131,14 +131,21 @@ namespace MixedCracks
       return elastic_kernel.jacobian_is_symmetric();
     }
 
-    /// Call @p body with number and geometry of every owned cell, and with
-    /// its responses at the quadrature points, in the state of the last
-    /// elastic_matrix().
-    void visit_tangents(
-      const std::function<void(unsigned int,
-                               const CellGeometry<dim> &,
-                               const std::vector<ElasticResponse<dim>> &)>
-        &body);
+    /// Of owned cell number @p cell the responses at the quadrature points, in
+    /// the state of the last elastic_matrix(); until the next call.
+    const std::vector<ElasticResponse<dim>> &tangents(unsigned int cell);
+
+    unsigned int
+    n_cells() const
+    {
+      return cells->n_cells();
+    }
+
+    const CellGeometry<dim> &
+    geometry(const unsigned int cell) const
+    {
+      return cells->geometry(cell);
+    }
 
     /// What one owned cell adds to the matrix, in that state.
     void cell_jacobian(unsigned int cell, dealii::FullMatrix<double> &result);

@@ -4,6 +4,8 @@
 
 #include <assembly/assembler.h>
 #include <assembly/fluid_like_cells.h>
+#include <assembly/isotropic_cell.h>
+#include <assembly/matrix_free_elastic.h>
 
 #include <discretization/linear_displacements.h>
 
@@ -25,8 +27,10 @@ namespace MixedCracks
     /// To be called when the mesh changed.
     void reinit();
 
-    /// For the state of the last Assembler::elastic_matrix().
-    void assemble(Assembler<dim> &assembler);
+    /// For the state of the last Assembler::elastic_matrix(), or of the last
+    /// MatrixFreeElastic::update() of @p products, if there are such.
+    void assemble(Assembler<dim>               &assembler,
+                  const MatrixFreeElastic<dim> *products = nullptr);
 
     /// Whether there is one: linear displacements need none.
     bool
@@ -65,17 +69,25 @@ namespace MixedCracks
 
     void read_cells();
 
-    void add_displacements(unsigned int                             cell,
-                           const CellGeometry<dim>                 &geometry,
-                           const std::vector<ElasticResponse<dim>> &responses);
+    /// A cell with the tangents of isotropic; whether it is fluid-like.
+    bool add_isotropic(unsigned int cell, const CellGeometry<dim> &geometry);
 
-    void add_pressures(unsigned int                             cell,
-                       const CellGeometry<dim>                 &geometry,
-                       const std::vector<ElasticResponse<dim>> &responses);
+    bool add_general(unsigned int                             cell,
+                     const CellGeometry<dim>                 &geometry,
+                     const std::vector<ElasticResponse<dim>> &responses);
+
+    void add_displacements(unsigned int                      cell,
+                           const dealii::FullMatrix<double> &local);
+
+    /// With weights.
+    void add_pressures(unsigned int cell);
 
     const Fields<dim>       &fields;
     const Constraints<dim>  &constraints;
     ScalarShapes<dim>        shapes; // linear
+    LinearStiffness<dim>     linear_stiffness;
+    IsotropicCell            isotropic;
+    std::vector<double>      weights; // of the pressure at the points of a cell
     LinearDisplacements<dim> linear_displacements;
     bool                     is_finite = false; // finite strain
 

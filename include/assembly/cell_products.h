@@ -2,6 +2,8 @@
 #ifndef mixed_cracks_assembly_cell_products_h
 #define mixed_cracks_assembly_cell_products_h
 
+#include <assembly/isotropic_cell.h>
+
 #include <deal.II/base/quadrature.h>
 
 #include <deal.II/dofs/dof_handler.h>
@@ -9,8 +11,6 @@
 #include <deal.II/fe/mapping.h>
 
 #include <deal.II/lac/affine_constraints.h>
-
-#include <model/elastic_response.h>
 
 #include <memory>
 #include <vector>
@@ -34,6 +34,10 @@ namespace MixedCracks
                  const std::vector<ElasticResponse<dim>> &responses) = 0;
 
     virtual void compress() = 0;
+
+    /// The tangents of one owned cell, if they are isotropic; false if not.
+    virtual bool read_tangents(unsigned int   cell,
+                               IsotropicCell &result) const = 0;
 
     /// (u, p) -> K (u, p)
     virtual void multiply(double *result, const double *source) const = 0;

@@ -90,6 +90,9 @@ namespace MixedCracks
   /// the least to the largest eigenvalue over directions n.
   template <int dim>
   bool is_fluid_like(const ElasticResponse<dim> &response);
+
+  /// The same for C = a 1 + b I (x) I with a = @p identity, b = @p volume.
+  bool is_fluid_like(double identity, double volume);
 } // namespace MixedCracks
 
 #endif

@@ -2,9 +2,9 @@
 #ifndef mixed_cracks_assembly_lane_tangents_h
 #define mixed_cracks_assembly_lane_tangents_h
 
-#include <deal.II/base/aligned_vector.h>
+#include <assembly/isotropic_cell.h>
 
-#include <model/elastic_response.h>
+#include <deal.II/base/aligned_vector.h>
 
 #include <algorithm>
 #include <map>
@@ -56,6 +56,9 @@ namespace MixedCracks
              const std::vector<ElasticResponse<dim>> &responses);
 
     void compress();
+
+    /// The numbers of one cell; false if they are of another kind.
+    bool read_isotropic(unsigned int cell, IsotropicCell &result) const;
 
     TangentKind
     kind(const unsigned int batch) const
@@ -203,6 +206,33 @@ namespace MixedCracks
     if (!is_isotropic)
       for (const ElasticResponse<dim> &response : responses)
         Internal::append_symmetric(response, pending[cell]);
+  }
+
+
+
+  // Where a point is not isotropic, set() has left a = 0.
+  template <int dim, typename Lanes>
+  bool
+  LaneTangents<dim, Lanes>::read_isotropic(const unsigned int cell,
+                                           IsotropicCell     &result) const
+  {
+    constexpr unsigned int n = n_numbers(TangentKind::isotropic);
+    if (usual != TangentKind::isotropic)
+      return false;
+    const auto [batch, lane] = places[cell];
+    const Lanes *from        = &of_usual[std::size_t(batch) * n_points * n];
+    result.resize(n_points);
+    for (unsigned int q = 0; q < n_points; ++q, from += n)
+    {
+      result.identity[q]               = from[0][lane];
+      result.volume[q]                 = from[1][lane];
+      result.stress_by_pressure[q]     = from[2][lane];
+      result.constraint_by_trace[q]    = from[3][lane];
+      result.constraint_by_pressure[q] = from[4][lane];
+      if (result.identity[q] == 0.)
+        return false;
+    }
+    return true;
   }
 
 

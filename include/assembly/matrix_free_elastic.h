@@ -37,6 +37,13 @@ namespace MixedCracks
     void vmult(LinearAlgebra::Vector       &result,
                const LinearAlgebra::Vector &source) const override;
 
+    /// The tangents of one owned cell, if they are isotropic.
+    bool
+    read_tangents(const unsigned int cell, IsotropicCell &result) const
+    {
+      return cells->read_tangents(cell, result);
+    }
+
     void pressure_forces(double       *forces,
                          const double *pressures) const override;
 

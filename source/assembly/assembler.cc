@@ -161,18 +161,12 @@ namespace MixedCracks
 
 
   template <int dim>
-  void
-  Assembler<dim>::visit_tangents(
-    const std::function<void(unsigned int,
-                             const CellGeometry<dim> &,
-                             const std::vector<ElasticResponse<dim>> &)> &body)
+  const std::vector<ElasticResponse<dim>> &
+  Assembler<dim>::tangents(const unsigned int cell)
   {
-    for (unsigned int cell = 0; cell < cells->n_cells(); ++cell)
-    {
-      elastic_kernel.reinit_points((*constants)[cell]);
-      elastic_kernel.set_points(tangent.of_matrix(cell));
-      body(cell, cells->geometry(cell), elastic_kernel.point_responses());
-    }
+    elastic_kernel.reinit_points((*constants)[cell]);
+    elastic_kernel.set_points(tangent.of_matrix(cell));
+    return elastic_kernel.point_responses();
   }
 
 

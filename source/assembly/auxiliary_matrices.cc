@@ -125,35 +125,6 @@ namespace MixedCracks
 
 
 
-    // The same with C = a 1 + b I (x) I, a tenth of the work:
-    //   b d_d L_a d_e L_b + a/2 (d_e L_a d_d L_b + delta_de grad L_a . grad
-    //   L_b)
-    template <int dim>
-    void
-    add_isotropic_stiffness(const IsotropicTangent  &tangent,
-                            const double             weight,
-                            const ScalarShapes<dim> &shapes,
-                            const unsigned int       q,
-                            FullMatrix<double>      &local)
-    {
-      const double half   = 0.5 * weight * tangent.identity;
-      const double volume = weight * tangent.volume;
-      for (unsigned int b = 0; b < shapes.size(); ++b)
-        for (unsigned int a = 0; a <= b; ++a)
-        {
-          const Tensor<1, dim> &of_a   = shapes.gradient(a, q);
-          const Tensor<1, dim> &of_b   = shapes.gradient(b, q);
-          const double          shared = half * (of_a * of_b);
-          for (unsigned int d = 0; d < dim; ++d)
-            for (unsigned int e = 0; e < dim; ++e)
-              local(dim * a + d, dim * b + e) += volume * of_a[d] * of_b[e] +
-                                                 half * of_a[e] * of_b[d] +
-                                                 (d == e ? shared : 0.);
-        }
-    }
-
-
-
     // The stiffness of linear displacements at point q with a tangent that the
     // weight of the point is part of; rows are numbered component by component
     // for each vertex. Of the symmetric matrix the blocks a <= b.
@@ -188,6 +159,8 @@ namespace MixedCracks
     : fields(fields)
     , constraints(constraints)
     , shapes(FE_Q<dim>(1), fields.quadrature)
+    , linear_stiffness(fields.quadrature)
+    , weights(fields.quadrature.size())
     , fluid_like_cells(fields, constraints)
   {}
 
@@ -255,7 +228,8 @@ namespace MixedCracks
 
   template <int dim>
   void
-  AssembledAuxiliaries<dim>::assemble(Assembler<dim> &assembler)
+  AssembledAuxiliaries<dim>::assemble(Assembler<dim>               &assembler,
+                                      const MatrixFreeElastic<dim> *products)
   {
     if (has_displacement())
       displacement_matrix = 0.;
@@ -264,19 +238,20 @@ namespace MixedCracks
     if (!has_displacement() && !fields.layout.mixed)
       return;
     is_finite = assembler.is_finite();
-    std::vector<bool> fluid_like;
-    assembler.visit_tangents(
-      [&](const unsigned int                       cell,
-          const CellGeometry<dim>                 &geometry,
-          const std::vector<ElasticResponse<dim>> &responses) {
-        if (has_displacement())
-          add_displacements(cell, geometry, responses);
-        if (!fields.layout.mixed)
-          return;
-        add_pressures(cell, geometry, responses);
-        fluid_like.push_back(
-          std::any_of(responses.begin(), responses.end(), is_fluid_like<dim>));
-      });
+    std::vector<bool> fluid_like(assembler.n_cells());
+    for (unsigned int cell = 0; cell < assembler.n_cells(); ++cell)
+    {
+      const CellGeometry<dim> &geometry = assembler.geometry(cell);
+      if (products != nullptr && products->read_tangents(cell, isotropic))
+        fluid_like[cell] = add_isotropic(cell, geometry);
+      else
+      {
+        const auto &responses = assembler.tangents(cell);
+        fluid_like[cell]      = isotropic.read(responses)
+                                  ? add_isotropic(cell, geometry)
+                                  : add_general(cell, geometry, responses);
+      }
+    }
     if (has_displacement())
       displacement_matrix.compress(VectorOperation::add);
     if (!fields.layout.mixed)
@@ -288,34 +263,95 @@ namespace MixedCracks
 
 
   template <int dim>
-  void
-  AssembledAuxiliaries<dim>::add_displacements(
+  bool
+  AssembledAuxiliaries<dim>::add_isotropic(const unsigned int       cell,
+                                           const CellGeometry<dim> &geometry)
+  {
+    if (has_displacement())
+    {
+      constexpr unsigned int n = LinearStiffness<dim>::n_shapes;
+      FullMatrix<double>     local(dim * n, dim * n);
+      linear_stiffness.assemble(geometry, isotropic);
+      for (unsigned int a = 0; a < n; ++a)
+        for (unsigned int d = 0; d < dim; ++d)
+          for (unsigned int b = 0; b < n; ++b)
+            for (unsigned int e = 0; e < dim; ++e)
+              local(dim * a + d, dim * b + e) =
+                linear_stiffness.entry(a, d, b, e);
+      add_displacements(cell, local);
+    }
+    bool is_fluid = false;
+    for (unsigned int q = 0; q < isotropic.identity.size(); ++q)
+    {
+      const double longitudinal = isotropic.identity[q] + isotropic.volume[q];
+      weights[q] =
+        geometry.weights[q] * (std::abs(isotropic.constraint_by_pressure[q]) +
+                               std::abs(isotropic.stress_by_pressure[q] *
+                                        isotropic.constraint_by_trace[q]) /
+                                 longitudinal);
+      is_fluid =
+        is_fluid || is_fluid_like(isotropic.identity[q], isotropic.volume[q]);
+    }
+    if (fields.layout.mixed)
+      add_pressures(cell);
+    return is_fluid;
+  }
+
+
+
+  template <int dim>
+  bool
+  AssembledAuxiliaries<dim>::add_general(
     const unsigned int                       cell,
     const CellGeometry<dim>                 &geometry,
     const std::vector<ElasticResponse<dim>> &responses)
   {
-    FullMatrix<double> local(dim * shapes.size(), dim * shapes.size());
-    shapes.reinit(geometry);
+    if (has_displacement())
+    {
+      FullMatrix<double> local(dim * shapes.size(), dim * shapes.size());
+      shapes.reinit(geometry);
+      for (unsigned int q = 0; q < responses.size(); ++q)
+        if (is_finite)
+          add_stiffness(Tensor<4, dim>(geometry.weights[q] *
+                                       responses[q].finite->stress_by_gradient),
+                        shapes,
+                        q,
+                        local);
+        else
+          add_stiffness(SymmetricTensor<4, dim>(geometry.weights[q] *
+                                                responses[q].stress_by_strain),
+                        shapes,
+                        q,
+                        local);
+      for (unsigned int i = 0; i < local.m(); ++i)
+        for (unsigned int j = dim * (i / dim + 1); j < local.n(); ++j)
+          local(j, i) = local(i, j);
+      add_displacements(cell, local);
+    }
+    if (!fields.layout.mixed)
+      return false;
     for (unsigned int q = 0; q < responses.size(); ++q)
-      if (is_finite)
-        add_stiffness(Tensor<4, dim>(geometry.weights[q] *
-                                     responses[q].finite->stress_by_gradient),
-                      shapes,
-                      q,
-                      local);
-      else if (const auto isotropic =
-                 isotropic_tangent(responses[q].stress_by_strain))
-        add_isotropic_stiffness(
-          *isotropic, geometry.weights[q], shapes, q, local);
-      else
-        add_stiffness(SymmetricTensor<4, dim>(geometry.weights[q] *
-                                              responses[q].stress_by_strain),
-                      shapes,
-                      q,
-                      local);
-    for (unsigned int i = 0; i < local.m(); ++i)
-      for (unsigned int j = dim * (i / dim + 1); j < local.n(); ++j)
-        local(j, i) = local(i, j);
+    {
+      const ElasticResponse<dim> &response = responses[q];
+      weights[q] =
+        geometry.weights[q] *
+        (std::abs(response.constraint_by_pressure) +
+         (is_finite ? compliance_of_displacements(response)
+                    : std::abs(response.stress_by_pressure *
+                               response.constraint_by_trace) /
+                        longitudinal_stiffness(response.stress_by_strain)));
+    }
+    add_pressures(cell);
+    return std::any_of(responses.begin(), responses.end(), is_fluid_like<dim>);
+  }
+
+
+
+  template <int dim>
+  void
+  AssembledAuxiliaries<dim>::add_displacements(const unsigned int        cell,
+                                               const FullMatrix<double> &local)
+  {
     linear_displacements.constraints().distribute_local_to_global(
       local, vertex_dofs[cell], displacement_matrix);
   }
@@ -324,26 +360,16 @@ namespace MixedCracks
 
   template <int dim>
   void
-  AssembledAuxiliaries<dim>::add_pressures(
-    const unsigned int                       cell,
-    const CellGeometry<dim>                 &geometry,
-    const std::vector<ElasticResponse<dim>> &responses)
+  AssembledAuxiliaries<dim>::add_pressures(const unsigned int cell)
   {
     FullMatrix<double> local(shapes.size(), shapes.size());
-    for (unsigned int q = 0; q < responses.size(); ++q)
-    {
-      const ElasticResponse<dim> &response = responses[q];
-      const double                weight =
-        geometry.weights[q] *
-        (std::abs(response.constraint_by_pressure) +
-         (is_finite ? compliance_of_displacements(response)
-                    : std::abs(response.stress_by_pressure *
-                               response.constraint_by_trace) /
-                        longitudinal_stiffness(response.stress_by_strain)));
+    for (unsigned int q = 0; q < weights.size(); ++q)
       for (unsigned int a = 0; a < shapes.size(); ++a)
+      {
+        const double weighted = weights[q] * shapes.value(a, q);
         for (unsigned int b = 0; b < shapes.size(); ++b)
-          local(a, b) += weight * shapes.value(a, q) * shapes.value(b, q);
-    }
+          local(a, b) += weighted * shapes.value(b, q);
+      }
     constraints.elastic_corrections().distribute_local_to_global(
       local, pressure_dofs[cell], pressure_matrix);
   }

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Which lanes this processor has is asked when the program runs: a package for
-// any x86-64 must not end at an instruction that the machine does not know.
-// AVX2 with FMA: 4 doubles. AVX-512 was no faster (doc/records/solvers.md).
+// Which lanes this processor has is asked when the program runs. AVX2 with FMA:
+// 4 doubles. AVX-512 was no faster (doc/records/solvers.md).
 
 #include <assembly/cell_products.h>
+
+#include <base/lanes.h>
 
 namespace MixedCracks
 {
@@ -16,7 +17,7 @@ namespace MixedCracks
                      const AffineConstraints<double> &constraints)
   {
 #ifdef MIXED_CRACKS_WITH_AVX2
-    if (__builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma"))
+    if (has_avx2())
       return make_cell_products_with_lanes<dim, 4>(
         mapping, handler, constraints);
 #endif

@@ -92,6 +92,13 @@ namespace MixedCracks
         tangents.compress();
       }
 
+      bool
+      read_tangents(const unsigned int cell,
+                    IsotropicCell     &result) const override
+      {
+        return tangents.read_isotropic(cell, result);
+      }
+
       void
       multiply(double *result, const double *source) const override
       {

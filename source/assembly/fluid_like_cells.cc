@@ -56,7 +56,15 @@ namespace MixedCracks
 
 
 
-  // For a 1 + b I (x) I the eigenvalues are a/2 and a + b.
+  // The eigenvalues are a/2 and a + b.
+  bool
+  is_fluid_like(const double identity, const double volume)
+  {
+    return least_share * (identity + volume) > 0.5 * identity;
+  }
+
+
+
   template <int dim>
   bool
   is_fluid_like(const ElasticResponse<dim> &response)
@@ -64,8 +72,7 @@ namespace MixedCracks
     if (response.finite)
       return is_fluid_like(response.finite->stress_by_gradient);
     if (const auto isotropic = isotropic_tangent(response.stress_by_strain))
-      return least_share * (isotropic->identity + isotropic->volume) >
-             0.5 * isotropic->identity;
+      return is_fluid_like(isotropic->identity, isotropic->volume);
     return is_fluid_like(Tensor<4, dim>(response.stress_by_strain));
   }
 

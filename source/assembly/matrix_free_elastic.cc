@@ -65,12 +65,8 @@ namespace MixedCracks
   MatrixFreeElastic<dim>::update(Assembler<dim> &assembler)
   {
     assembler.note_matrix();
-    assembler.visit_tangents(
-      [&](const unsigned int cell,
-          const CellGeometry<dim> &,
-          const std::vector<ElasticResponse<dim>> &responses) {
-        cells->set_tangents(cell, responses);
-      });
+    for (unsigned int cell = 0; cell < assembler.n_cells(); ++cell)
+      cells->set_tangents(cell, assembler.tangents(cell));
     cells->compress();
     diagonal_entries.resize(fields.elastic_dofs.owned.n_elements());
     cells->diagonal(diagonal_entries.data());

@@ -10,18 +10,16 @@
 // to all digits, which GMRES with a fixed preconditioner relies on, and A
 // differs from what it was copied from by 2^-24 = 6e-8 of each entry.
 
+#include <base/lanes.h>
+
 #include <solvers/node_blocks.h>
 
 #include <algorithm>
-#include <cstring>
 
 namespace MixedCracks
 {
   namespace
   {
-    using Floats  = float __attribute__((vector_size(16)));
-    using Doubles = double __attribute__((vector_size(32)));
-
     struct Rows
     {
       int                n_nodes;
@@ -43,8 +41,7 @@ namespace MixedCracks
           const double *x = source + 3 * rows.columns[k];
           for (unsigned int d = 0; d < 3; ++d, entries += 4)
           {
-            Floats column;
-            std::memcpy(&column, entries, sizeof(column));
+            const Floats column = load<Floats>(entries);
             sums[d] += __builtin_convertvector(column, Doubles) * x[d];
           }
         }
@@ -66,9 +63,8 @@ namespace MixedCracks
         Doubles sum = {};
         for (std::size_t k = rows.starts[node]; k < rows.starts[node + 1]; ++k)
         {
-          const double *x = source + 2 * rows.columns[k];
-          Floats        block;
-          std::memcpy(&block, entries, sizeof(block));
+          const double *x     = source + 2 * rows.columns[k];
+          const Floats  block = load<Floats>(entries);
           entries += 4;
           sum += __builtin_convertvector(block, Doubles) *
                  Doubles{x[0], x[0], x[1], x[1]};
@@ -92,9 +88,8 @@ namespace MixedCracks
 
 
 
-#ifdef __x86_64__
     // the same for processors that have it
-    __attribute__((target("avx2,fma"))) void
+    MIXED_CRACKS_FOR_AVX2 void
     multiply_avx2(const int     n_components,
                   const Rows   &rows,
                   double       *result,
@@ -103,7 +98,6 @@ namespace MixedCracks
       n_components == 2 ? multiply_2(rows, result, source)
                         : multiply_3(rows, result, source);
     }
-#endif
   } // namespace
 
 
@@ -195,10 +189,9 @@ namespace MixedCracks
       source = source_here->Values();
     }
     const Rows rows{n_nodes, starts.data(), columns.data(), entries.data()};
-#ifdef __x86_64__
-    if (__builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma"))
-      return multiply_avx2(n_components, rows, result, source);
-#endif
-    multiply(n_components, rows, result, source);
+    if (has_avx2())
+      multiply_avx2(n_components, rows, result, source);
+    else
+      multiply(n_components, rows, result, source);
   }
 } // namespace MixedCracks

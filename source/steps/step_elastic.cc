@@ -126,7 +126,8 @@ namespace MixedCracks
         constraints.elastic_corrections().is_constrained(dof));
     system.rigid_body_modes = [this]() { return rigid_body_modes(fields); };
     system.auxiliary        = [this]() {
-      auxiliaries.assemble(assembler);
+      auxiliaries.assemble(assembler,
+                           solver->needs_matrix() ? nullptr : &matrix_free);
       AuxiliaryMatrices result;
       if (auxiliaries.has_displacement())
       {

@@ -118,13 +118,31 @@ namespace MixedCracks
       void
       assemble(const double broken_value = 0.)
       {
-        const Vector phi     = phase_field(broken_value);
-        const auto  &hanging = constraints.elastic_hanging_nodes();
-        right_hand_side      = fields.owned_vector(fields.elastic_dofs);
-        assembler->elastic_residual(lifted(), phi, hanging, right_hand_side);
+        assemble(states(broken_value));
+      }
+
+      struct States
+      {
+        Vector top_moved, of_matrix, phase_field;
+      };
+
+      States
+      states(const double broken_value = 0.) const
+      {
+        return {lifted(), stretched(), phase_field(broken_value)};
+      }
+
+      void
+      assemble(const States &states)
+      {
+        const Vector &phi     = states.phase_field;
+        const auto   &hanging = constraints.elastic_hanging_nodes();
+        right_hand_side       = fields.owned_vector(fields.elastic_dofs);
+        assembler->elastic_residual(
+          states.top_moved, phi, hanging, right_hand_side);
         // of the state that the tangents are asked for last
         Vector residual(right_hand_side);
-        assembler->elastic_residual(stretched(), phi, hanging, residual);
+        assembler->elastic_residual(states.of_matrix, phi, hanging, residual);
         update_operator();
         constraints.drop_prescribed(right_hand_side);
         right_hand_side *= -1.;
@@ -178,7 +196,8 @@ namespace MixedCracks
       assemble_auxiliaries()
       {
         make_auxiliaries();
-        auxiliaries.assemble(*assembler);
+        auxiliaries.assemble(*assembler,
+                             options.matrix_free ? &matrix_free : nullptr);
       }
 
       void
