@@ -85,7 +85,7 @@ namespace MixedCracks
     const Fields<dim>       &fields;
     const Constraints<dim>  &constraints;
     ScalarShapes<dim>        shapes; // linear
-    LinearStiffness<dim>     linear_stiffness;
+    IsotropicStiffness<dim>  linear_stiffness;
     IsotropicCell            isotropic;
     std::vector<double>      weights; // of the pressure at the points of a cell
     LinearDisplacements<dim> linear_displacements;

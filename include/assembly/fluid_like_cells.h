@@ -3,6 +3,7 @@
 #define mixed_cracks_assembly_fluid_like_cells_h
 
 #include <assembly/assembler.h>
+#include <assembly/matrix_free_elastic.h>
 
 #include <deal.II/lac/la_parallel_vector.h>
 
@@ -25,8 +26,11 @@ namespace MixedCracks
 
     /// Assemble the block in the state of the last
     /// Assembler::elastic_matrix(). @p chosen: one entry per owned cell, in the
-    /// order of CellTable, whether it is one of them.
-    void assemble(const std::vector<bool> &chosen, Assembler<dim> &assembler);
+    /// order of CellTable, whether it is one of them. @p products, if any,
+    /// know the tangents.
+    void assemble(const std::vector<bool>      &chosen,
+                  Assembler<dim>               &assembler,
+                  const MatrixFreeElastic<dim> *products);
 
     /// Whether there is a block: not without such cells, nor with so many that
     /// its factors might not fit into memory.
@@ -65,6 +69,11 @@ namespace MixedCracks
     /// block, see terms.
     void visit_cells(const std::function<void(unsigned int)> &body);
 
+    /// What one cell adds to the displacements' block of the elastic matrix.
+    void find_stiffness(unsigned int                  cell,
+                        Assembler<dim>               &assembler,
+                        const MatrixFreeElastic<dim> *products);
+
     /// Row of the block; dealii::numbers::invalid_dof_index if it has none.
     Index
     row_of(const Index dof) const
@@ -83,6 +92,10 @@ namespace MixedCracks
     dealii::IndexSet                                   owned_rows;
     LinearAlgebra::SparseMatrix                        matrix;
     std::vector<Terms>                                 terms; // of a cell
+
+    IsotropicCell              isotropic;
+    IsotropicStiffness<dim>    stiffness;
+    dealii::FullMatrix<double> local; // of a cell
   };
 
   /// Whether some wave of shear meets less than a fiftieth of the stiffness

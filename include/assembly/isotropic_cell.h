@@ -4,6 +4,8 @@
 
 #include <assembly/cell_geometry.h>
 
+#include <deal.II/fe/fe_q.h>
+
 #include <model/elastic_response.h>
 
 #include <vector>
@@ -27,19 +29,25 @@ namespace MixedCracks
     bool read(const std::vector<ElasticResponse<dim>> &responses);
   };
 
-  /// The stiffness of linear displacements in such a cell.
+  /// The stiffness of displacements in such a cell, all components of a node
+  /// with the same shape functions, linear or quadratic.
   template <int dim>
-  class LinearStiffness
+  class IsotropicStiffness
   {
   public:
-    static constexpr unsigned int n_shapes = 1u << dim;
-
-    explicit LinearStiffness(const dealii::Quadrature<dim> &quadrature);
+    IsotropicStiffness(const dealii::FE_Q<dim>       &element,
+                       const dealii::Quadrature<dim> &quadrature);
 
     /// For entry().
     void assemble(const CellGeometry<dim> &geometry, const IsotropicCell &cell);
 
-    /// Between component @p d of vertex @p a and @p e of @p b; N/mm, in the
+    unsigned int
+    n_shapes() const
+    {
+      return n;
+    }
+
+    /// Between component @p d of shape @p a and @p e of @p b; N/mm, in the
     /// plane N/mm^2.
     double
     entry(const unsigned int a,
@@ -47,12 +55,14 @@ namespace MixedCracks
           const unsigned int b,
           const unsigned int e) const
     {
-      return entries[((b * dim + e) * dim + d) * n_shapes + a];
+      return entries[((b * dim + e) * dim + d) * n_padded + a];
     }
 
   private:
-    /// of each point and direction all shapes, on the reference cell
-    std::vector<double> gradients;
+    const unsigned int n, n_padded; // to whole registers
+    /// of each point and direction all shapes, on the reference cell and on
+    /// this one
+    std::vector<double> reference_gradients, gradients;
     std::vector<double> entries;
   };
 } // namespace MixedCracks

@@ -159,7 +159,7 @@ namespace MixedCracks
     : fields(fields)
     , constraints(constraints)
     , shapes(FE_Q<dim>(1), fields.quadrature)
-    , linear_stiffness(fields.quadrature)
+    , linear_stiffness(FE_Q<dim>(1), fields.quadrature)
     , weights(fields.quadrature.size())
     , fluid_like_cells(fields, constraints)
   {}
@@ -257,7 +257,7 @@ namespace MixedCracks
     if (!fields.layout.mixed)
       return;
     pressure_matrix.compress(VectorOperation::add);
-    fluid_like_cells.assemble(fluid_like, assembler);
+    fluid_like_cells.assemble(fluid_like, assembler, products);
   }
 
 
@@ -269,8 +269,8 @@ namespace MixedCracks
   {
     if (has_displacement())
     {
-      constexpr unsigned int n = LinearStiffness<dim>::n_shapes;
-      FullMatrix<double>     local(dim * n, dim * n);
+      const unsigned int n = linear_stiffness.n_shapes();
+      FullMatrix<double> local(dim * n, dim * n);
       linear_stiffness.assemble(geometry, isotropic);
       for (unsigned int a = 0; a < n; ++a)
         for (unsigned int d = 0; d < dim; ++d)

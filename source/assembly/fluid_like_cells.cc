@@ -83,6 +83,7 @@ namespace MixedCracks
                                       const Constraints<dim> &constraints)
     : fields(fields)
     , constraints(constraints)
+    , stiffness(FE_Q<dim>(fields.layout.displacement_degree), fields.quadrature)
   {}
 
 
@@ -185,8 +186,33 @@ namespace MixedCracks
 
   template <int dim>
   void
-  FluidLikeCells<dim>::assemble(const std::vector<bool> &chosen,
-                                Assembler<dim>          &assembler)
+  FluidLikeCells<dim>::find_stiffness(const unsigned int            cell,
+                                      Assembler<dim>               &assembler,
+                                      const MatrixFreeElastic<dim> *products)
+  {
+    const bool is_known =
+      products != nullptr && products->read_tangents(cell, isotropic);
+    if (!is_known && !isotropic.read(assembler.tangents(cell)))
+      return assembler.cell_jacobian(cell, local);
+    stiffness.assemble(assembler.geometry(cell), isotropic);
+    const FiniteElement<dim> &element = fields.elastic.get_fe();
+    for (unsigned int i = 0; i < local.m(); ++i)
+      for (unsigned int j = 0; j < local.n(); ++j)
+      {
+        const auto [d, a] = element.system_to_component_index(i);
+        const auto [e, b] = element.system_to_component_index(j);
+        if (d < dim && e < dim)
+          local(i, j) = stiffness.entry(a, d, b, e);
+      }
+  }
+
+
+
+  template <int dim>
+  void
+  FluidLikeCells<dim>::assemble(const std::vector<bool>      &chosen,
+                                Assembler<dim>               &assembler,
+                                const MatrixFreeElastic<dim> *products)
   {
     matrix.clear();
     number_rows(chosen);
@@ -216,10 +242,10 @@ namespace MixedCracks
     pattern.compress();
     matrix.reinit(pattern);
 
-    FullMatrix<double>  local(terms.size(), terms.size());
+    local.reinit(terms.size(), terms.size());
     std::vector<double> values;
     visit_cells([&](const unsigned int cell) {
-      assembler.cell_jacobian(cell, local);
+      find_stiffness(cell, assembler, products);
       for (unsigned int i = 0; i < terms.size(); ++i)
         for (const auto &[row, weight] : terms[i])
         {

@@ -1,18 +1,14 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// With C = a 1 + b I (x) I the stiffness of linear displacements L_a e_d is
+// With C = a 1 + b I (x) I the stiffness of displacements N_a e_d is
 //
-//   sum_q w_q ( b d_d L_a d_e L_b
-//               + a/2 ( d_e L_a d_d L_b + delta_de grad L_a . grad L_b ) ),
+//   sum_q w_q ( b d_d N_a d_e N_b
+//               + a/2 ( d_e N_a d_d N_b + delta_de grad N_a . grad N_b ) ),
 //
-// four a at a time: 4 vertices in the plane, 8 in space.
+// four N_a at a time in registers.
 
 #include <assembly/isotropic_cell.h>
 
 #include <base/lanes.h>
-
-#include <deal.II/fe/fe_q.h>
-
-#include <algorithm>
 
 namespace MixedCracks
 {
@@ -55,14 +51,18 @@ namespace MixedCracks
 
 
   template <int dim>
-  LinearStiffness<dim>::LinearStiffness(const Quadrature<dim> &quadrature)
-    : entries(dim * dim * n_shapes * n_shapes)
+  IsotropicStiffness<dim>::IsotropicStiffness(const FE_Q<dim>       &element,
+                                              const Quadrature<dim> &quadrature)
+    : n(element.n_dofs_per_cell())
+    , n_padded((n + n_lanes - 1) / n_lanes * n_lanes)
+    , entries(dim * dim * n * n_padded)
   {
-    const FE_Q<dim> element(1);
     for (const Point<dim> &point : quadrature.get_points())
       for (unsigned int d = 0; d < dim; ++d)
-        for (unsigned int a = 0; a < n_shapes; ++a)
-          gradients.push_back(element.shape_grad(a, point)[d]);
+        for (unsigned int a = 0; a < n_padded; ++a)
+          reference_gradients.push_back(a < n ? element.shape_grad(a, point)[d]
+                                              : 0.);
+    gradients.resize(reference_gradients.size());
   }
 
 
@@ -79,57 +79,94 @@ namespace MixedCracks
       const double *volume;
     };
 
-    template <int dim>
+    // the reference gradients times the inverse Jacobians
+    template <int dim, unsigned int n_shapes>
     inline __attribute__((always_inline)) void
-    add_stiffness(const Points &points, double *entries)
+    transform(const Points &points, double *gradients)
     {
-      constexpr unsigned int n_shapes = 1u << dim, n_parts = n_shapes / n_lanes;
+      constexpr unsigned int size      = (n_shapes + n_lanes - 1) / n_lanes;
       const double          *reference = points.reference_gradients;
       const double          *jacobian  = points.inverse_jacobians;
       for (std::size_t q = 0; q < points.n; ++q, jacobian += dim * dim)
       {
-        Doubles gradient[dim][n_parts] = {};
-        for (unsigned int i = 0; i < dim; ++i, reference += n_shapes)
-          for (unsigned int d = 0; d < dim; ++d)
-            for (unsigned int k = 0; k < n_parts; ++k)
-              gradient[d][k] +=
-                load<Doubles>(reference + n_lanes * k) * jacobian[dim * i + d];
-        double single[dim][n_shapes];
         for (unsigned int d = 0; d < dim; ++d)
-          for (unsigned int k = 0; k < n_parts; ++k)
-            store(gradient[d][k], single[d] + n_lanes * k);
-        const double half   = 0.5 * points.weights[q] * points.identity[q];
-        const double volume = points.weights[q] * points.volume[q];
-        double      *entry  = entries;
-        for (unsigned int b = 0; b < n_shapes; ++b)
+          for (unsigned int k = 0; k < size; ++k, gradients += n_lanes)
+          {
+            Doubles sum = {};
+            for (unsigned int i = 0; i < dim; ++i)
+              sum += load<Doubles>(reference + n_lanes * (size * i + k)) *
+                     jacobian[dim * i + d];
+            store(sum, gradients);
+          }
+        reference += dim * size * n_lanes;
+      }
+    }
+
+
+
+    template <int dim, unsigned int n_shapes>
+    inline __attribute__((always_inline)) void
+    stiffness(const Points &points, double *gradients, double *entries)
+    {
+      constexpr unsigned int size = (n_shapes + n_lanes - 1) / n_lanes;
+      transform<dim, n_shapes>(points, gradients);
+      for (unsigned int b = 0; b < n_shapes; ++b)
+      {
+        Doubles       sums[dim][dim][size] = {};
+        const double *of_point             = gradients;
+        for (std::size_t q = 0; q < points.n; ++q)
         {
-          Doubles shared[n_parts] = {};
+          const double half   = 0.5 * points.weights[q] * points.identity[q];
+          const double volume = points.weights[q] * points.volume[q];
+          double       of_b[dim];
           for (unsigned int d = 0; d < dim; ++d)
-            for (unsigned int k = 0; k < n_parts; ++k)
-              shared[k] += gradient[d][k] * (half * single[d][b]);
-          for (unsigned int e = 0; e < dim; ++e)
+            of_b[d] = of_point[n_lanes * size * d + b];
+          for (unsigned int k = 0; k < size; ++k)
+          {
+            Doubles gradient[dim], shared = {};
             for (unsigned int d = 0; d < dim; ++d)
-              for (unsigned int k = 0; k < n_parts; ++k, entry += n_lanes)
+            {
+              gradient[d] = load<Doubles>(of_point + n_lanes * (size * d + k));
+              shared += gradient[d] * (half * of_b[d]);
+            }
+            for (unsigned int e = 0; e < dim; ++e)
+              for (unsigned int d = 0; d < dim; ++d)
               {
-                Doubles sum = load<Doubles>(entry) +
-                              gradient[d][k] * (volume * single[e][b]) +
-                              gradient[e][k] * (half * single[d][b]);
+                sums[e][d][k] += gradient[d] * (volume * of_b[e]) +
+                                 gradient[e] * (half * of_b[d]);
                 if (d == e)
-                  sum += shared[k];
-                store(sum, entry);
+                  sums[e][d][k] += shared;
               }
+          }
+          of_point += n_lanes * size * dim;
         }
+        for (unsigned int e = 0; e < dim; ++e)
+          for (unsigned int d = 0; d < dim; ++d)
+            for (unsigned int k = 0; k < size; ++k, entries += n_lanes)
+              store(sums[e][d][k], entries);
       }
     }
 
 
 
     // the same for processors that have it
-    template <int dim>
+    template <int dim, unsigned int n_shapes>
     MIXED_CRACKS_FOR_AVX2 void
-    add_stiffness_avx2(const Points &points, double *entries)
+    stiffness_avx2(const Points &points, double *gradients, double *entries)
     {
-      add_stiffness<dim>(points, entries);
+      stiffness<dim, n_shapes>(points, gradients, entries);
+    }
+
+
+
+    template <int dim, unsigned int n_shapes>
+    void
+    assemble_in_lanes(const Points &points, double *gradients, double *entries)
+    {
+      if (has_avx2())
+        stiffness_avx2<dim, n_shapes>(points, gradients, entries);
+      else
+        stiffness<dim, n_shapes>(points, gradients, entries);
     }
   } // namespace
 
@@ -137,26 +174,30 @@ namespace MixedCracks
 
   template <int dim>
   void
-  LinearStiffness<dim>::assemble(const CellGeometry<dim> &geometry,
-                                 const IsotropicCell     &cell)
+  IsotropicStiffness<dim>::assemble(const CellGeometry<dim> &geometry,
+                                    const IsotropicCell     &cell)
   {
-    std::fill(entries.begin(), entries.end(), 0.);
+    constexpr unsigned int n_linear    = Utilities::pow(2, dim);
+    constexpr unsigned int n_quadratic = Utilities::pow(3, dim);
+    AssertThrow(n == n_linear || n == n_quadratic, ExcNotImplemented());
     const Points points{geometry.weights.size(),
-                        gradients.data(),
+                        reference_gradients.data(),
                         geometry.inverse_jacobians.front().begin_raw(),
                         geometry.weights.data(),
                         cell.identity.data(),
                         cell.volume.data()};
-    if (has_avx2())
-      add_stiffness_avx2<dim>(points, entries.data());
+    if (n == n_linear)
+      assemble_in_lanes<dim, n_linear>(
+        points, gradients.data(), entries.data());
     else
-      add_stiffness<dim>(points, entries.data());
+      assemble_in_lanes<dim, n_quadratic>(
+        points, gradients.data(), entries.data());
   }
 
 
 
   template bool IsotropicCell::read(const std::vector<ElasticResponse<2>> &);
   template bool IsotropicCell::read(const std::vector<ElasticResponse<3>> &);
-  template class LinearStiffness<2>;
-  template class LinearStiffness<3>;
+  template class IsotropicStiffness<2>;
+  template class IsotropicStiffness<3>;
 } // namespace MixedCracks
