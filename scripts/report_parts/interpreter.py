@@ -14,13 +14,9 @@ def interpreters():
     """Python interpreters of this machine, each once, likeliest first."""
     found = [os.environ.get("MIXED_CRACKS_PYTHON"), shutil.which("python3"),
              "/usr/bin/python3", "/usr/local/bin/python3", "/bin/python3"]
-    for folder in os.environ.get("PATH", "").split(os.pathsep):
-        found.append(os.path.join(folder, "python3"))
-    unique = []
-    for path in found:
-        if path and path not in unique and os.access(path, os.X_OK):
-            unique.append(path)
-    return unique
+    found += [os.path.join(folder, "python3")
+              for folder in os.environ.get("PATH", "").split(os.pathsep)]
+    return [path for path in dict.fromkeys(found) if path and os.access(path, os.X_OK)]
 
 
 def has_modules(interpreter, modules):

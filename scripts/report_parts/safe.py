@@ -3,6 +3,7 @@
 another program; and files that nobody finds in such a state. Python's own library
 only."""
 import csv
+import hashlib
 import json
 import math
 import os
@@ -21,6 +22,28 @@ def read_text(path):
             return stream.read()
     except (OSError, ValueError):
         return None
+
+
+def read_json(path):
+    """What a JSON file holds; None when there is none, or a damaged one."""
+    try:
+        return json.loads(read_text(path) or "")
+    except ValueError:
+        return None
+
+
+def checksum_of(path):
+    """SHA-256 of a file, however large."""
+    digest = hashlib.sha256()
+    with open(path, "rb") as stream:
+        for part in iter(lambda: stream.read(1 << 20), b""):
+            digest.update(part)
+    return digest.hexdigest()
+
+
+def in_words(error):
+    """An error that nobody foresaw, on one line."""
+    return "%s: %s" % (type(error).__name__, " ".join(str(error).split())[:300])
 
 
 def write_whole(path, text):

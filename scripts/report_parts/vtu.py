@@ -22,14 +22,15 @@ TYPES = {"Float32": "f4", "Float64": "f8", "Int8": "i1", "UInt8": "u1",
 # Faces of the VTK cell types that are drawn, as local corner numbers. Higher
 # order (Lagrange) cells begin with their corners, so these serve them too.
 QUADRILATERAL = [(0, 1, 2, 3)]
-TRIANGLE = [(0, 1, 2)]
+TRIANGLE = [(0, 1, 2, 2)]
 HEXAHEDRON = [(0, 1, 2, 3), (4, 5, 6, 7), (0, 1, 5, 4),
               (1, 2, 6, 5), (2, 3, 7, 6), (3, 0, 4, 7)]
-TETRAHEDRON = [(0, 1, 2), (0, 1, 3), (1, 2, 3), (0, 2, 3)]
+TETRAHEDRON = [(0, 1, 2, 2), (0, 1, 3, 3), (1, 2, 3, 3), (0, 2, 3, 3)]
 FACES = {5: TRIANGLE, 69: TRIANGLE, 9: QUADRILATERAL, 70: QUADRILATERAL,
          10: TETRAHEDRON, 71: TETRAHEDRON, 12: HEXAHEDRON, 72: HEXAHEDRON}
 
 
+# a triangle repeats its last corner
 N_CORNERS = {kind: 1 + max(max(face) for face in faces)
              for kind, faces in FACES.items()}
 
@@ -168,15 +169,11 @@ def faces_of(connectivity, offsets, types):
     """(faces, is_volume): corners of every face of every cell, 4 each."""
     begins = np.concatenate([[0], offsets[:-1]])
     faces, is_volume = [], False
-    for kind in np.unique(types):
-        if kind not in FACES:
-            continue
+    for kind in sorted(FACES.keys() & set(types)):
         starts = begins[types == kind]
         is_volume = is_volume or len(FACES[kind]) > 1
-        for corners in FACES[kind]:
-            if len(corners) == 3:
-                corners = corners + (corners[-1],)
-            faces.append(connectivity[starts[:, None] + np.array(corners)])
+        faces += [connectivity[starts[:, None] + np.array(corners)]
+                  for corners in FACES[kind]]
     if not faces:
         return np.zeros((0, 4), int), is_volume
     return np.concatenate(faces), is_volume
