@@ -88,6 +88,10 @@ class InvariantLaw(Law):
             h[i, i] += 4. * w1 * lam[i]**2 + 4. * w2 * lam[i]**-2.
         return h
 
+    def shear_modulus(self, constants):
+        w1, w2, _ = self.derivatives(constants, 0.)
+        return 2. * (w1 + w2)
+
 
 class NeoHooke(InvariantLaw):
     def __init__(self):
@@ -96,9 +100,6 @@ class NeoHooke(InvariantLaw):
     def derivatives(self, constants, invariant):
         return 0.5 * constants[0] + 0. * invariant, 0., 0. * invariant
 
-    def shear_modulus(self, constants):
-        return constants[0]
-
 
 class MooneyRivlin(InvariantLaw):
     def __init__(self):
@@ -106,9 +107,6 @@ class MooneyRivlin(InvariantLaw):
 
     def derivatives(self, constants, invariant):
         return constants[0] + 0. * invariant, constants[1], 0. * invariant
-
-    def shear_modulus(self, constants):
-        return 2. * (constants[0] + constants[1])
 
 
 class Yeoh(InvariantLaw):
@@ -120,9 +118,6 @@ class Yeoh(InvariantLaw):
         return (c10 + 2. * c20 * invariant + 3. * c30 * invariant**2, 0.,
                 2. * c20 + 6. * c30 * invariant)
 
-    def shear_modulus(self, constants):
-        return 2. * constants[0]
-
 
 class Gent(InvariantLaw):
     def __init__(self):
@@ -132,9 +127,6 @@ class Gent(InvariantLaw):
         mu, limit = constants
         left = limit - invariant
         return 0.5 * mu * limit / left, 0., 0.5 * mu * limit / left**2
-
-    def shear_modulus(self, constants):
-        return constants[0]
 
     def bounds(self, largest_invariant):
         return [-np.inf, largest_invariant * (1. + 1e-9)], [np.inf, np.inf]

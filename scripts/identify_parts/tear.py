@@ -15,6 +15,8 @@ thickness t (mm), u the displacement and a the length of the crack (mm):
 
 U_w and F_w are those of the specimen without a crack.
 """
+import collections
+
 import numpy as np
 
 from .errors import InputError
@@ -24,13 +26,8 @@ DIFFERENCE, BALANCE, RATIO, PLANE, PAPER = METHODS = (
     "energy difference", "energy balance", "force ratio", "W h0", "paper")
 
 
-class Point:
-    """G at a crack length and a displacement, by a method, of a curve."""
-
-    def __init__(self, method, curve, length, displacement, value):
-        self.method, self.curve = method, curve
-        self.length, self.displacement = float(length), float(displacement)
-        self.value = float(value)
+# G at a crack length and a displacement, by a method, of a curve
+Point = collections.namedtuple("Point", "method curve length displacement value")
 
 
 def standing_curves(specimen):
