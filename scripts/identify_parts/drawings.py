@@ -7,7 +7,8 @@ import numpy as np
 from matplotlib.figure import Figure
 
 from report_parts import curves
-from sweep_parts.study_curves import HUES, save
+from study_parts import drawing
+from sweep_parts.study_curves import HUES
 
 from . import tear
 from .laws import MODES, existing
@@ -17,8 +18,7 @@ MARKS = ("o", "s", "^", "D", "v", "P", "X", "*")
 
 def canvas(n_panels):
     """(figure, axes) side by side."""
-    figure = Figure(figsize=(5.4 * n_panels + 0.6, 3.9))
-    figure.set_facecolor("white")
+    figure = Figure(figsize=(5.4 * n_panels + 0.6, 3.9), facecolor="white")
     axes = figure.subplots(1, n_panels, squeeze=False)[0]
     figure.subplots_adjust(wspace=0.24)
     return figure, axes
@@ -41,8 +41,7 @@ def draw_law(axes, fit, interval):
         if len(test.outside[0]):
             axes.plot(*test.outside, MARKS[i % len(MARKS)], ms=3.5, mfc="none",
                       color=curves.GREY, alpha=0.6, label="not used")
-    axes.set_xlabel("Stretch")
-    axes.set_ylabel("Nominal stress (MPa)")
+    axes.set(xlabel="Stretch", ylabel="Nominal stress (MPa)")
     axes.legend(fontsize=8.5)
 
 
@@ -64,15 +63,13 @@ def draw_bulk(axes, bulk):
                        max(test.stretch.max() for test in bulk.tests)])
     axes.plot(volume, -bulk.slope * (volume - bulk.zero), "-", color=HUES[1],
               label="K = %.5g MPa" % bulk.modulus)
-    axes.set_xlabel("Volume ratio J")
-    axes.set_ylabel("Pressure (MPa)")
+    axes.set(xlabel="Volume ratio J", ylabel="Pressure (MPa)")
     axes.legend()
 
 
-def draw_ranges(axes, fit, ranges):
-    """The tensile curve with its lines through the origin."""
+def draw_ranges(axes, tests, fit, ranges):
+    """The tensile curve with its lines through the origin; fit: may be None."""
     largest = max(percent for _, values in ranges for percent, _ in values)
-    tests = [test for test in fit.tests if test.kind == "uniaxial"] if fit else []
     for test in tests:
         axes.plot(100. * (test.stretch - 1.), test.stress, "o", ms=4.5, mfc="none",
                   color=curves.INK, label=test.name)
@@ -85,9 +82,8 @@ def draw_ranges(axes, fit, ranges):
         axes.plot([0., percent], [0., 0.01 * percent * modulus], "-", lw=1.8,
                   color=HUES[i % len(HUES)],
                   label="up to %g %%: E = %.3g MPa" % (percent, modulus))
-    axes.set_xlim(0., 1.05 * largest)
-    axes.set_xlabel("Engineering strain (%)")
-    axes.set_ylabel("Nominal stress (MPa)")
+    axes.set(xlim=(0., 1.05 * largest), xlabel="Engineering strain (%)",
+             ylabel="Nominal stress (MPa)")
     axes.legend(fontsize=8.5)
 
 
@@ -99,18 +95,17 @@ def write_fit(path, fit, interval, ranges):
         if fit.bulk is not None:
             draw_bulk(axes[1], fit.bulk)
         if ranges:
-            draw_ranges(axes[-1], fit, ranges)
-        save(figure, path, "identify")
+            draw_ranges(axes[-1], [test for test in fit.tests
+                                   if test.kind == "uniaxial"], fit, ranges)
+        drawing.save(figure, path, "identify", 130)
 
 
 def write_ranges(path, tests, ranges):
     """Without a law: the first test and its lines."""
     with matplotlib.rc_context(curves.STYLE):
         figure, axes = canvas(1)
-        axes[0].plot(100. * (tests[0].stretch - 1.), tests[0].stress, "o", ms=4.5,
-                     mfc="none", color=curves.INK, label=tests[0].name)
-        draw_ranges(axes[0], None, ranges)
-        save(figure, path, "identify")
+        draw_ranges(axes[0], tests[:1], None, ranges)
+        drawing.save(figure, path, "identify", 130)
 
 
 def draw_forces(axes, specimen, onset):
@@ -121,8 +116,7 @@ def draw_forces(axes, specimen, onset):
                   color=HUES[i % len(HUES)],
                   label=os.path.basename(curve.name))
     axes.axvline(onset, color=curves.GREY, lw=0.9, ls=(0, (4, 2)), label="onset")
-    axes.set_xlabel("Displacement (mm)")
-    axes.set_ylabel("Force (N)")
+    axes.set(xlabel="Displacement (mm)", ylabel="Force (N)")
     axes.legend(fontsize=8.5)
 
 
@@ -137,8 +131,7 @@ def draw_rates(axes, points):
                           [point.value for point in own], "-", lw=1., ms=4.5,
                           marker=MARKS[i], mfc="none", color=HUES[i], label=method)
     axes.set_ylim(bottom=min(0., axes.dataLim.y0))
-    axes.set_xlabel("Crack length (mm)")
-    axes.set_ylabel("Energy release rate G (N/mm)")
+    axes.set(xlabel="Crack length (mm)", ylabel="Energy release rate G (N/mm)")
     known = dict(reversed(list(zip(*reversed(axes.get_legend_handles_labels())))))
     axes.legend(known.values(), known.keys(), fontsize=8.5)
 
@@ -148,4 +141,4 @@ def write_tear(path, specimen, onset, points):
         figure, axes = canvas(2)
         draw_forces(axes[0], specimen, onset)
         draw_rates(axes[1], points)
-        save(figure, path, "tear")
+        drawing.save(figure, path, "tear", 130)

@@ -1,8 +1,7 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 """Bisections of several runs at a time: the values, the cases that carry them, and the
 report. Python's own library only; bisection.py has the logic of one."""
-import csv
-import io
+from sweep_parts.table import csv_text
 
 from . import bisection, derived
 from .errors import StudyError
@@ -60,8 +59,7 @@ class Critical:
         found = {}
         for name, values in self.wanted.items():
             for value in sorted(values):
-                settings = dict(self.runs[name])
-                settings[self.entry] = "%.12g" % value
+                settings = dict(self.runs[name], **{self.entry: "%.12g" % value})
                 found[case_name(name, value)] = list(settings.items())
         return found
 
@@ -106,15 +104,12 @@ def report(critical, study):
 
 def table(critical, study):
     """The text of a CSV file, a row per run."""
-    stream = io.StringIO()
-    writer = csv.writer(stream, lineterminator="\n")
-    writer.writerow(COLUMNS)
+    rows = []
     for name, bracket in critical.brackets().items():
         cases = [study.cases[case_name(name, value)] for value in bracket[:2]]
-        writer.writerow([name, "%.12g" % bracket.low, "%.12g" % bracket.high,
-                         bracket.low_answer, bracket.high_answer]
-                        + [case.name for case in cases] + [case.id for case in cases])
-    return stream.getvalue()
+        rows.append([name, *("%.12g" % value for value in bracket[:2]), *bracket[2:],
+                     *(case.name for case in cases), *(case.id for case in cases)])
+    return csv_text(COLUMNS, rows)
 
 
 def solve(critical, source, output, program, runs, at_once):

@@ -65,11 +65,6 @@ class Table:
         return value
 
 
-def is_path_file(path):
-    header = Table(path).header
-    return "x_mm" in header and "y_mm" in header
-
-
 def forms_in(table):
     """The form of scatter of displacement and of force: names of columns, or None."""
     found = []
@@ -106,16 +101,14 @@ def band_of(table, line, row, columns, mean, deviations):
     return low, high
 
 
-def read_points(path, name_needed, deviations=1.):
+def read_points(path, deviations=1.):
     """[Reference] of a file of peaks or curves. deviations: how many standard
     deviations a band reaches to each side."""
     table = Table(path)
     unit = next((name for name in FORCES if name in table.header), None)
-    if unit is None or "displacement_mm" not in table.header \
-            or (name_needed and "name" not in table.header):
-        raise StudyError("%s: expected a header with %sdisplacement_mm and %s"
-                         % (path, "name, " if name_needed else "",
-                            " or ".join(FORCES)))
+    if unit is None or "displacement_mm" not in table.header:
+        raise StudyError("%s: expected a header with displacement_mm and %s"
+                         % (path, " or ".join(FORCES)))
     forms, found = forms_in(table), []
     for line, row in table.rows:
         means = [table.number(line, row, name) for name in ("displacement_mm", unit)]
@@ -131,13 +124,13 @@ def read_paths(path):
     table = Table(path)
     lines, scatters = {}, {}
     for number, row in table.rows:
-        point = tuple(table.number(number, row, name) for name in ("x_mm", "y_mm"))
-        pieces = lines.setdefault(row.get("name", ""), {})
+        point = tuple(table.number(number, row, axis) for axis in ("x_mm", "y_mm"))
+        name = row.get("name", "")
+        pieces = lines.setdefault(name, {})
         pieces.setdefault(row.get("crack", ""), []).append(point)
         if "scatter_mm" in table.header:
-            scatters[row.get("name", "")] = max(
-                table.number(number, row, "scatter_mm"),
-                scatters.get(row.get("name", ""), 0.))
+            scatters[name] = max(table.number(number, row, "scatter_mm"),
+                                 scatters.get(name, 0.))
     for name, pieces in lines.items():
         if any(len(piece) < 2 for piece in pieces.values()):
             raise StudyError("%s: a path needs two points%s"
@@ -164,10 +157,10 @@ class References:
     def __init__(self, files, deviations=1.):
         self.points, self.curves, self.paths, self.unit = {}, {}, {}, None
         for path in files:
-            if is_path_file(path):
+            if {"x_mm", "y_mm"} <= set(Table(path).header):
                 self.add(self.paths, read_paths(path), path)
             else:
-                self.add_points(read_points(path, False, deviations), path)
+                self.add_points(read_points(path, deviations), path)
 
     @staticmethod
     def add(known, found, path):
@@ -189,8 +182,7 @@ class References:
         self.add(self.curves, {n: p for n, p in groups.items() if len(p) > 1}, path)
 
     def names(self):
-        return list(dict.fromkeys(
-            list(self.points) + list(self.curves) + list(self.paths)))
+        return list({**self.points, **self.curves, **self.paths})
 
     def of(self, run_name):
         """(Reference of the peak or None, [Reference] of the curve, Path or None)."""

@@ -142,19 +142,14 @@ class Case:
         if os.path.lexists(self.link) and not os.path.islink(self.link):
             return
         new = os.path.join(self.output, ".%s.%d" % (self.name, os.getpid()))
-        try:
+        # in a file system without links the table has the id of each name
+        with contextlib.suppress(OSError):
             os.symlink(os.path.join(CASES, self.id), new)
             os.replace(new, self.link)
-        except OSError:
-            pass  # a file system without links: the table has the id of each name
 
 
 def record_of(directory):
-    text = safe.read_text(os.path.join(directory, RECORD))
-    try:
-        record = json.loads(text or "")
-    except ValueError:
-        return {}
+    record = safe.read_json(os.path.join(directory, RECORD))
     if not isinstance(record, dict) or not isinstance(record.get("pieces", []), list):
         return {}
     return record

@@ -1,7 +1,10 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 """The table of a sweep: a row for each case, with its state, and results only where
 they are those of the present parameters."""
+import collections
 import os
+
+from report_parts import safe
 
 from . import cases, table
 
@@ -28,10 +31,6 @@ def swept_titles(chosen):
     return titles_of([title for title, values in found.items()
                       if len(set(values)) > 1 or len(values) < len(chosen)
                       or len(chosen) == 1])
-
-
-def columns_of(chosen):
-    return IDENTITY + tuple(swept_titles(chosen).values()) + table.RESULTS
 
 
 def row_of(case, titles, mixed=False):
@@ -85,6 +84,16 @@ def mixture_of(rows):
         in revisions.items())
 
 
+def print_counts(chosen, states):
+    """How many cases are in which state, and whether revisions are mixed."""
+    print("%d cases: %s" % (len(chosen), ", ".join(
+        "%d %s" % (number, state)
+        for state, number in collections.Counter(states).items())))
+    mixture = mixture_of(rows_of(chosen))
+    if mixture:
+        print(mixture)
+
+
 def shortened(names, most=5):
     return ", ".join(names[:most]) + (" and %d more" % (len(names) - most)
                                       if len(names) > most else "")
@@ -93,7 +102,10 @@ def shortened(names, most=5):
 def write(study, chosen_rows):
     """Writes the table of the sweep; returns its path."""
     path = os.path.join(study.output, TABLE)
-    table.write_table(path, columns_of(list(study.cases.values())), chosen_rows)
+    columns = IDENTITY + tuple(swept_titles(study.cases.values()).values()) \
+        + table.RESULTS
+    safe.write_whole(path, table.csv_text(columns, (
+        [row.get(column) for column in columns] for row in chosen_rows)))
     return path
 
 

@@ -20,22 +20,17 @@ from study_parts.errors import StudyError
 
 HELP = "compare peaks, curves and paths with references; what lies within the scatter"
 OPENS_ITSELF = True
-
-
-def add_options(parser):
-    parser.add_argument("--reference", nargs="+", required=True, metavar="CSV",
-                        help="peaks, curves and digitised paths")
-    parser.add_argument("--deviations", type=float, default=1., metavar="K",
-                        help="standard deviations to each side of a mean that are "
-                        "within the scatter (1)")
-    parser.add_argument("--tolerance", nargs="+", default=[], metavar="NAME=LIMIT",
-                        help="peak, displacement, curve, area as 5%%, path, hausdorff "
-                        "in mm, scatter: how many figures may lie outside; decides on "
-                        "the exit status")
-    parser.add_argument("--figures", metavar="DIR",
-                        help="figures of the cases (OUTPUT/comparison); '' for none")
-    parser.add_argument("--format", choices=("svg", "png"), default="svg",
-                        help="of the figures (svg)")
+OPTIONS = (
+    ("--reference", "CSV", "peaks, curves and digitised paths",
+     {"nargs": "+", "required": True}),
+    ("--deviations", "K", "standard deviations to each side of a mean that are within the "
+     "scatter (1)", {"type": float, "default": 1.}),
+    ("--tolerance", "NAME=LIMIT", "peak, displacement, curve, area as 5%%, path, hausdorff "
+     "in mm, scatter: how many figures may lie outside; decides on the exit status",
+     {"nargs": "+", "default": []}),
+    ("--figures", "DIR", "figures of the cases (OUTPUT/comparison); '' for none"),
+    ("--format", "{svg,png}", "of the figures (svg)",
+     {"choices": ("svg", "png"), "default": "svg"}))
 
 
 def run(arguments, _):
@@ -69,8 +64,7 @@ def runs_of(arguments):
         runs = studies.runs_of(arguments.file, arguments.only)
         return runs, [], arguments.output or arguments.file
     from . import study
-    opened = study.Study(arguments.file, arguments.output, arguments.program,
-                         arguments.extra)
+    opened = study.opened(arguments)
     chosen = opened.chosen(arguments.only)
     there = [case for case in chosen if os.path.isfile(case.path("statistics.csv"))]
     missing = [case.name for case in chosen if case not in there]

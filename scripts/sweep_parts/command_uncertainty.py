@@ -18,16 +18,11 @@ from .program import Program
 HELP = "how sure peak, displacement and path are: one change at a time"
 OPENS_ITSELF = True
 BASE = "as_it_is"
-
-
-def add_options(parser):
-    here.add_options(parser)
-    parser.add_argument("--parameters", nargs="+", default=[], metavar="ENTRY",
-                        help="these up and down as well, one at a time")
-    parser.add_argument("--by", type=float, default=10., metavar="PERCENT",
-                        help="how far (10)")
-    parser.add_argument("--figure", metavar="FILE",
-                        help="the figure, .svg or .png (OUTPUT/uncertainty.svg)")
+OPTIONS = here.OPTIONS + [
+    ("--parameters", "ENTRY", "these up and down as well, one at a time",
+     {"nargs": "+", "default": []}),
+    ("--by", "PERCENT", "how far (10)", {"type": float, "default": 10.}),
+    ("--figure", "FILE", "the figure, .svg or .png (OUTPUT/uncertainty.svg)")]
 
 
 def run(arguments, _):
@@ -45,8 +40,7 @@ def run(arguments, _):
     program = Program(arguments.program)
     bringing = here.runs_of(arguments, program)
     entries = [sweep_file.entry_of(text) for text in arguments.parameters]
-    several = source.allowed(name, variations.variations_of(
-        source.effective(name, program), entries, 0.01 * arguments.by), program)
+    several = source.allowed(name, program, entries, 0.01 * arguments.by)
     runs = {BASE: source.runs[name]}
     runs.update((variations.case_name(v), source.varied(name, v)) for v in several)
     study = derived.study_of("uncertainty", source, runs, output, program)

@@ -34,33 +34,22 @@ def quoted(text):
     return '"%s"' % text.replace("\\", "\\\\").replace('"', '\\"')
 
 
-def head(options):
-    return "\n".join(["#!/bin/bash"] + ["#SBATCH " + quoted("--" + option)
-                                        for option in options])
-
-
-def where(given):
-    """Options of sbatch on where a job runs, and for how long."""
-    names = (("partition", "partition"), ("account", "account"))
-    return ["%s=%s" % (option, given[key]) for key, option in names if given[key]]
-
-
-def more(given):
-    """Of the user, as lines."""
-    return "".join("\n#SBATCH " + word for word in given["sbatch"].split())
-
-
-def setup(given):
-    lines = ["export %s=%s" % pair for pair in ENVIRONMENT.items()
+def script(options, given, *words):
+    """A job with these options of sbatch, and those of the user; words: the last lines."""
+    options = options + ["%s=%s" % (key, given[key]) for key in ("partition", "account")
+                         if given[key]]
+    lines = ["#!/bin/bash"] + ["#SBATCH " + quoted("--" + option) for option in options]
+    lines += ["#SBATCH " + word for word in given["sbatch"].split()]
+    lines += ["export %s=%s" % pair for pair in ENVIRONMENT.items()
              if pair[0].endswith("_THREADS")]
     if hasattr(os, "geteuid") and os.geteuid() == 0:
         lines += ["export %s=%s" % pair for pair in ENVIRONMENT.items()
                   if "ROOT" in pair[0]]
-    return "\n".join(lines + given["setup"].strip().splitlines())
+    return "\n".join(lines + given["setup"].strip().splitlines() + list(words)) + "\n"
 
 
 def command(*words):
-    return " ".join(shlex.quote(word) for word in (sys.executable, SWEEP) + words)
+    return shlex.join((sys.executable, SWEEP) + words)
 
 
 def array_text(frozen, array, given):
@@ -78,10 +67,9 @@ def array_text(frozen, array, given):
     number = "$SLURM_ARRAY_TASK_ID"
     if array["first"]:
         number = "$((%d + SLURM_ARRAY_TASK_ID))" % array["first"]
-    return "%s%s\n%s\n# the last line of all: what ends the job is to reach it\n" \
-        "exec %s --group %s\n" % (
-            head(options + where(given)), more(given), setup(given),
-            command("task", frozen.path), number)
+    return script(options, given,
+                  "# the last line of all: what ends the job is to reach it",
+                  "exec %s --group %s" % (command("task", frozen.path), number))
 
 
 def collect_text(frozen, given, study):
@@ -89,7 +77,6 @@ def collect_text(frozen, given, study):
     options = ["job-name=" + frozen.content["token"] + ".collect",
                "output=" + os.path.join(frozen.folder, "collect.log"),
                "open-mode=append", "ntasks=1", "time=30"]
-    return "%s%s\n%s\nexec %s\n" % (
-        head(options + where(given)), more(given), setup(given),
-        command("collect", os.path.abspath(study.sweep.path), "--output", study.output,
-                "--program", study.program.path))
+    return script(options, given, "exec " + command(
+        "collect", os.path.abspath(study.sweep.path), "--output", study.output,
+        "--program", study.program.path))

@@ -2,6 +2,7 @@
 """What has been submitted, frozen: OUTPUT/submissions/TOKEN/manifest.json with the
 cases by name, their ids and settings, and which of them a task of an array has.
 Lines that are added to the sweep file later change nothing in it."""
+import contextlib
 import glob
 import json
 import os
@@ -67,7 +68,7 @@ def frozen(study, chosen, groups, arrays, token, launcher, ranks):
 def read(path):
     """Raises SweepError."""
     try:
-        return Manifest(json.loads(safe.read_text(path) or ""))
+        return Manifest(safe.read_json(path))
     except (ValueError, KeyError, TypeError):
         raise SweepError("%s is no manifest of a submission" % path)
 
@@ -76,8 +77,6 @@ def all_of(output):
     """[Manifest] of a directory of a sweep, oldest first; damaged ones are left out."""
     found = []
     for path in glob.glob(os.path.join(glob.escape(output), FOLDER, "*", FILE)):
-        try:
+        with contextlib.suppress(SweepError, OSError):
             found.append((os.path.getmtime(path), path, read(path)))
-        except (SweepError, OSError):
-            pass
     return [manifest for _, _, manifest in sorted(found, key=lambda item: item[:2])]

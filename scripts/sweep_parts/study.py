@@ -4,9 +4,7 @@ of scripts/sweep.py begin with.
 
     study = Study("strips.sweep")            the cases of the file, with their ids
     study.cases["h_6"].state()               ("complete", "")
-    study.case("extra", settings, swept)     one that is not in the file
 """
-import fnmatch
 import hashlib
 import json
 import os
@@ -19,7 +17,7 @@ from . import id_cache, lock
 from .cases import Case
 from .errors import SweepError
 from .program import Program
-from .sweep_file import Sweep, merged, options_of, require_allowed, split_settings
+from .sweep_file import Sweep, matching, options_of, require_allowed, split_settings
 
 AT_ONCE = 4  # questions to the program
 OWNER = "sweep.json"
@@ -73,10 +71,9 @@ class Study:
     def asked(self, name, settings, full=False):
         """The id that the program has for settings; full: all but output counts."""
         words = options_of(sorted(settings))
-        ask = self.program.full_id if full else self.program.case_id
         try:
-            return self.ids.asked(words + ["full"] * full,
-                                  lambda: ask(self.sweep.base, words))
+            return self.ids.asked(words + ["full"] * full, lambda: self.program.case_id(
+                self.sweep.base, words, full))
         except SweepError as error:
             raise SweepError("%s: %s" % (name, error))
 
@@ -114,38 +111,21 @@ class Study:
         without = [pair for pair in settings if pair[0] != entry]
         return self.asked(name, settings, True) != self.asked(name, without, True)
 
-    def case(self, name, settings, swept=None):
-        """One more case, that is not in the file: base and common with these
-        settings, [(entry, value)]. Entries of its own that do not count in the id of
-        the program tell it apart."""
-        full = merged(self.sweep.common + list(settings)
-                      + split_settings(self.extra)[0])
-        own = [entry for entry, _ in settings] + self.telling
-        found = self.asked(name, full)
-        self.left_out |= {entry for entry in own if self.is_left_out(
-            entry, {name: full}, {name: own})}
-        suffix = self.suffix(name, full, own)
-        self.ids.write()
-        return Case(name, found + suffix, self.sweep.base, full,
-                    dict(settings) if swept is None else swept, self.output)
-
     def chosen(self, patterns=None):
         """[Case] whose names match one of the patterns; all of them for None."""
         for pattern in patterns or ():
-            if not fnmatch.filter(self.cases, pattern):
+            if not matching(self.cases, [pattern]):
                 raise SweepError("--only: there is no run '%s' in %s; there are %s"
                                  % (pattern, self.sweep.path, ", ".join(self.cases)))
-        return [case for name, case in self.cases.items() if patterns is None or
-                any(fnmatch.fnmatchcase(name, pattern) for pattern in patterns)]
+        return [self.cases[name] for name in matching(self.cases, patterns)]
 
     # the directory
 
     def owner(self):
         """Path of the sweep file whose directory it is, or None."""
-        text = safe.read_text(os.path.join(self.output, OWNER))
         try:
-            path = json.loads(text or "")["file"]
-        except (ValueError, KeyError, TypeError):
+            path = safe.read_json(os.path.join(self.output, OWNER))["file"]
+        except (KeyError, TypeError):
             return None
         return path if isinstance(path, str) and os.path.exists(path) else None
 
@@ -179,11 +159,15 @@ class Study:
         return held
 
     def note_owner(self):
-        path = os.path.join(self.output, OWNER)
-        if self.owner():
-            return
-        safe.write_whole(
-            path, json.dumps({"file": os.path.abspath(self.sweep.path)}) + "\n")
+        if not self.owner():
+            safe.write_whole(os.path.join(self.output, OWNER), json.dumps(
+                {"file": os.path.abspath(self.sweep.path)}) + "\n")
+
+
+def opened(arguments, names=None):
+    """The Study that options of a command name."""
+    return Study(arguments.file, arguments.output, arguments.program, arguments.extra,
+                 names)
 
 
 def canonical(value):

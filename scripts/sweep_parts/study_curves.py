@@ -8,7 +8,7 @@ from matplotlib.colors import to_rgb
 from matplotlib.figure import Figure
 
 from report_parts import curves
-from study_parts import references
+from study_parts import drawing, references
 from study_parts.errors import StudyError
 
 # Told apart by hue and, where that fails, by lightness.
@@ -82,7 +82,7 @@ def reference_curves(paths, runs, per_thickness):
     found = []
     for path in paths:
         groups = {}
-        for point in references.read_points(path, False):
+        for point in references.read_points(path):
             groups.setdefault(point.name, []).append(point)
         stem = os.path.splitext(os.path.basename(path))[0]
         for name, points in groups.items():
@@ -125,8 +125,7 @@ def draw(runs, title, per_thickness, references):
     styles = styles_of(drawn)
     n_entries = len(drawn) + len(references)
     with matplotlib.rc_context(curves.STYLE):
-        figure = Figure(figsize=(9.6, max(5., 0.21 * n_entries + 1.)))
-        figure.set_facecolor("white")
+        figure = Figure(figsize=(9.6, max(5., 0.21 * n_entries + 1.)), facecolor="white")
         axes = figure.add_subplot()
         for run in drawn:
             color, dash = styles[run.name]
@@ -137,11 +136,7 @@ def draw(runs, title, per_thickness, references):
         for reference in references:
             reference.draw(axes, color_for(reference.name, drawn, styles))
         axes.axhline(0., color=curves.GREY, lw=0.7)
-        axes.set_xlim(left=min(0., axes.dataLim.x0))
-        axes.set_ylim(bottom=min(0., axes.dataLim.y0))
-        axes.set_xlabel("Displacement (mm)")
-        axes.set_ylabel("Force per thickness (N/mm)" if per_thickness
-                        else "Force (N)")
+        drawing.label(axes, per_thickness)
         if title:
             axes.set_title(title, loc="left", fontsize=11.5)
         axes.legend(loc="upper left", bbox_to_anchor=(1.01, 1.), fontsize=8.8,
@@ -149,13 +144,5 @@ def draw(runs, title, per_thickness, references):
         return figure
 
 
-def save(figure, path, salt):
-    """As SVG or PNG; equal figures make equal files."""
-    options = {"metadata": {"Date": None}} if path.endswith(".svg") else {"dpi": 130}
-    settings = {"svg.hashsalt": salt, "svg.fonttype": "none"}
-    with matplotlib.rc_context(dict(curves.STYLE, **settings)):
-        figure.savefig(path, bbox_inches="tight", facecolor="white", **options)
-
-
 def write(runs, path, title, per_thickness, references):
-    save(draw(runs, title, per_thickness, references), path, "curves")
+    drawing.save(draw(runs, title, per_thickness, references), path, "curves", 130)

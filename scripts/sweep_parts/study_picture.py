@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 """A picture of one field of one run, on the deformed body where asked for."""
 import os
+import pathlib
 
 import matplotlib
 import matplotlib.ticker
@@ -126,9 +127,7 @@ def draw(fields, path, options):
             pairs, _ = pictures.edges_of(points, faces)
             pictures.lines(axes, points, pairs, 0.3, "#ffffff88")
         if options.deformed is not None:
-            pictures.lines(axes, fields.points,
-                           pictures.outline_of(fields.points, fields.faces), 0.6,
-                           curves.GREY)
+            pictures.draw_outline(axes, fields, 0.6, curves.GREY)
         pictures.lines(axes, points,
                        pictures.outline_of(told_apart(fields), faces), 0.8)
     if not is_phase_field:
@@ -147,5 +146,4 @@ def write(directory, path, options):
         raise studies.StudyError(str(error))
     with matplotlib.rc_context({"font.family": "DejaVu Sans"}):
         data = pictures.png_of(draw(fields, source, options))
-    with open(path, "wb") as file:
-        file.write(small_png(data))
+    pathlib.Path(path).write_bytes(small_png(data))

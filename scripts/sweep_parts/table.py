@@ -101,11 +101,10 @@ def as_text(value):
     return str(value)
 
 
-def write_table(path, columns, rows):
-    """The table; the old one stays until the new one is whole."""
+def csv_text(columns, rows):
+    """A CSV file, as text: the names of the columns, and rows of values."""
     stream = io.StringIO()
     writer = csv.writer(stream, lineterminator="\n")
     writer.writerow(columns)
-    for row in rows:
-        writer.writerow([as_text(row.get(column)) for column in columns])
-    safe.write_whole(path, stream.getvalue())
+    writer.writerows(map(as_text, row) for row in rows)
+    return stream.getvalue()
