@@ -23,7 +23,7 @@ import os
 import sys
 
 sys.path.insert(0, os.path.dirname(os.path.realpath(__file__)))
-from report_parts import interpreter, safe  # noqa: E402
+from report_parts import interpreter, options, safe  # noqa: E402
 
 
 LIST = "run_files.txt"  # what the run has written; --overwrite removes that
@@ -52,15 +52,12 @@ def note_in_list(directory, target):
 def read_arguments():
     parser = argparse.ArgumentParser(
         description="Write RESULT_DIR/report.html, one page about a run.")
-    parser.add_argument("directory", metavar="RESULT_DIR",
-                        help="output directory of a run of mixed-cracks")
-    parser.add_argument("--output", metavar="FILE",
-                        help="write the page to FILE instead")
-    parser.add_argument("--animate", nargs="?", const="", metavar="FILE.webp|DIR",
-                        help="a video of the run instead of the page, or a series of "
-                        "PNG in DIR (RESULT_DIR/animation.webp)")
-    parser.add_argument("--frames-per-second", type=float, default=5., metavar="N",
-                        help="of the video (5)")
+    options.add(parser, (
+        ("directory", "RESULT_DIR", "output directory of a run of mixed-cracks"),
+        ("--output", "FILE", "write the page to FILE instead"),
+        ("--animate", "FILE.webp|DIR", "a video of the run instead of the page, or a "
+         "series of PNG in DIR (RESULT_DIR/animation.webp)", {"nargs": "?", "const": ""}),
+        ("--frames-per-second", "N", "of the video (5)", {"type": float, "default": 5.})))
     arguments = parser.parse_args()
     if not os.path.isdir(arguments.directory):
         sys.exit("report.py: there is no directory '%s'." % arguments.directory)
@@ -116,11 +113,9 @@ def write_video(directory, output, per_second):
 def main():
     arguments = read_arguments()
     try:
-        if arguments.animate is None:
-            target = write_page(arguments.directory, arguments.output)
-        else:
-            target = write_video(arguments.directory, arguments.animate,
-                                 arguments.frames_per_second)
+        target = write_page(arguments.directory, arguments.output) \
+            if arguments.animate is None else write_video(
+                arguments.directory, arguments.animate, arguments.frames_per_second)
     except OSError as error:
         sys.exit("report.py: %s" % error)
     except Exception as error:  # whatever the files hold, no trace of the inside

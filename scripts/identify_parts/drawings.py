@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 """Pictures of what was identified, as SVG or PNG."""
+import contextlib
 import os
 
 import matplotlib
@@ -16,12 +17,14 @@ from .laws import MODES, existing
 MARKS = ("o", "s", "^", "D", "v", "P", "X", "*")
 
 
-def canvas(n_panels):
-    """(figure, axes) side by side."""
-    figure = Figure(figsize=(5.4 * n_panels + 0.6, 3.9), facecolor="white")
-    axes = figure.subplots(1, n_panels, squeeze=False)[0]
-    figure.subplots_adjust(wspace=0.24)
-    return figure, axes
+@contextlib.contextmanager
+def panels(path, n_panels, name="identify"):
+    """Axes side by side, to be drawn in; then they are saved."""
+    with matplotlib.rc_context(curves.STYLE):
+        figure = Figure(figsize=(5.4 * n_panels + 0.6, 3.9), facecolor="white")
+        figure.subplots_adjust(wspace=0.24)
+        yield figure.subplots(1, n_panels, squeeze=False)[0]
+        drawing.save(figure, path, name, 130)
 
 
 def draw_law(axes, fit, interval):
@@ -88,24 +91,19 @@ def draw_ranges(axes, tests, fit, ranges):
 
 
 def write_fit(path, fit, interval, ranges):
-    n_panels = 1 + (fit.bulk is not None) + bool(ranges)
-    with matplotlib.rc_context(curves.STYLE):
-        figure, axes = canvas(n_panels)
+    with panels(path, 1 + (fit.bulk is not None) + bool(ranges)) as axes:
         draw_law(axes[0], fit, interval)
         if fit.bulk is not None:
             draw_bulk(axes[1], fit.bulk)
         if ranges:
             draw_ranges(axes[-1], [test for test in fit.tests
                                    if test.kind == "uniaxial"], fit, ranges)
-        drawing.save(figure, path, "identify", 130)
 
 
 def write_ranges(path, tests, ranges):
     """Without a law: the first test and its lines."""
-    with matplotlib.rc_context(curves.STYLE):
-        figure, axes = canvas(1)
+    with panels(path, 1) as axes:
         draw_ranges(axes[0], tests[:1], None, ranges)
-        drawing.save(figure, path, "identify", 130)
 
 
 def draw_forces(axes, specimen, onset):
@@ -137,8 +135,6 @@ def draw_rates(axes, points):
 
 
 def write_tear(path, specimen, onset, points):
-    with matplotlib.rc_context(curves.STYLE):
-        figure, axes = canvas(2)
+    with panels(path, 2, "tear") as axes:
         draw_forces(axes[0], specimen, onset)
         draw_rates(axes[1], points)
-        drawing.save(figure, path, "tear", 130)

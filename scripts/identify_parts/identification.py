@@ -2,7 +2,7 @@
 """From the command line to a law: which tests, which constants, which range."""
 import numpy as np
 
-from . import fitting, laws, linear_ranges, rubber_tests, settings, stability
+from . import fitting, laws, linear_ranges, rubber_tests, settings
 from .csv_table import number_in
 from .errors import InputError
 
@@ -66,7 +66,8 @@ def given_constants(law, text):
 
 def fit_of(arguments, tests):
     law = laws.law_of(arguments.law, arguments.terms)
-    own, volumetric = fitting.split(tests)
+    own = [test for test in tests if test.kind != rubber_tests.VOLUMETRIC]
+    volumetric = [test for test in tests if test.kind == rubber_tests.VOLUMETRIC]
     if arguments.constants:
         fit = fitting.given(law, given_constants(law, arguments.constants), own,
                             arguments.relative)
@@ -93,7 +94,3 @@ def interval_of_use(arguments, fit):
         raise InputError("--use: expected LOW above 0 and a number for HIGH, found '%s'"
                          % arguments.use)
     return low, high
-
-
-def checked(fit, interval):
-    return stability.checked(fit.law, fit.constants, interval)

@@ -113,11 +113,8 @@ def stretches_of(table, kind, given):
     known = VOLUMES if kind == VOLUMETRIC else STRETCHES
     name = table.chosen(tuple(known) + ("displacement_mm",),
                         "volume" if kind == VOLUMETRIC else "stretch")
-    if name == "displacement_mm":
-        factor, offset = 1. / needed(table, kind, "gauge_length_mm", given,
-                                     "gauge_length", name), 1.
-    else:
-        factor, offset = known[name]
+    factor, offset = known[name] if name in known else (1. / needed(
+        table, kind, "gauge_length_mm", given, "gauge_length", name), 1.)
     return factor * table.column(name, above=0. - offset / factor) + offset
 
 

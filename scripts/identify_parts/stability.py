@@ -33,17 +33,11 @@ def slope(law, constants, mode, stretch):
 def negative_parts(function, stretch):
     """[(from, to)] where function(stretch) <= 0; ends by bisection."""
     negative = function(stretch) <= 0.
-    parts, start = [], stretch[0] if negative[0] else None
-    for i in np.flatnonzero(negative[1:] != negative[:-1]):
-        end = crossing(function, stretch[i], stretch[i + 1])
-        if start is None:
-            start = end
-        else:
-            parts.append((float(start), float(end)))
-            start = None
-    if start is not None:
-        parts.append((float(start), float(stretch[-1])))
-    return parts
+    ends = [stretch[0]] if negative[0] else []
+    ends += [crossing(function, stretch[i], stretch[i + 1])
+             for i in np.flatnonzero(negative[1:] != negative[:-1])]
+    ends += [stretch[-1]] if negative[-1] else []
+    return [(float(low), float(high)) for low, high in zip(ends[::2], ends[1::2])]
 
 
 def crossing(function, low, high):

@@ -37,12 +37,6 @@ def standing_curves(specimen):
     return sorted(found, key=lambda pair: pair[0])
 
 
-def onset_of(specimen, given):
-    """Displacement at which standing cracks are evaluated, mm."""
-    ends = [curve.end for _, curve in standing_curves(specimen)]
-    return given if given is not None else min(ends)
-
-
 def differences(specimen, displacement):
     """[(name, mean length, G)] of neighbouring lengths at a displacement. A crack
     that has grown by then has spent work, and does not count."""
@@ -129,7 +123,7 @@ def means_of(points, specimen, mean_from):
 
 def evaluated(specimen, options):
     """(onset in mm, points)."""
-    onset = onset_of(specimen, options.onset)
+    onset = options.onset or min(curve.end for _, curve in standing_curves(specimen))
     points = of_standing(specimen, onset, options.paper_formula)
     for curve in specimen.growing:
         points += of_growing(specimen, curve, options.paper_formula)
@@ -175,10 +169,8 @@ def json_of(specimen, onset, points, mean_from):
     return {"specimen_mm": {"width": specimen.width, "height": specimen.height,
                             "thickness": specimen.thickness},
             "onset_displacement_mm": onset,
-            "points": [{"method": point.method, "curve": point.curve,
-                        "crack_length_mm": point.length,
-                        "displacement_mm": point.displacement,
-                        "G_N_per_mm": point.value} for point in points],
+            "points": [dict(zip(("method", "curve", "crack_length_mm", "displacement_mm",
+                                 "G_N_per_mm"), point)) for point in points],
             "means": [dict(zip(("method", "curve", "G_N_per_mm", "smallest", "largest",
                                 "values"), mean))
                       for mean in means_of(points, specimen, mean_from)]}

@@ -79,12 +79,6 @@ def split_source(text):
                                  above=0.), path
 
 
-def table_of(path):
-    if os.path.isdir(path):
-        return Table(os.path.join(path, "statistics.csv"), may_be_cut=True)
-    return Table(path)
-
-
 def force_of(table, component):
     """N, positive where it is largest."""
     allowed = FORCES if component is None else ("force_%s_N" % component,)
@@ -109,7 +103,8 @@ def check_work(table, displacement, force):
 
 def read_one(text, options):
     kind, length, path = split_source(text)
-    table = table_of(path)
+    is_run = os.path.isdir(path)
+    table = Table(os.path.join(path, "statistics.csv") if is_run else path, is_run)
     if len(table.rows) < 3:
         raise InputError("%s: expected at least 3 rows, found %d"
                          % (table.path, len(table.rows)))
