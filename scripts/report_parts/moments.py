@@ -91,12 +91,12 @@ def imbalance(results):
     start (mJ). Crack energy of the first row belongs to the initial cracks, what
     is stored then to loads that are there from the start: nobody did work for
     them."""
-    work = results.column("external_work_mJ")
-    elastic = results.column("elastic_energy_mJ")
-    crack = results.column("crack_energy_mJ")
-    if work is None or elastic is None or crack is None:
+    energies = [results.column(name) for name in (
+        "external_work_mJ", "elastic_energy_mJ", "crack_energy_mJ")]
+    if any(values is None for values in energies):
         return None
-    return (work - work[0]) - (elastic - elastic[0]) - (crack - crack[0])
+    work, elastic, crack = (values - values[0] for values in energies)
+    return work - elastic - crack
 
 
 def onset_index(results, force):

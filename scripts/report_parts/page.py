@@ -85,8 +85,7 @@ def written(directory):
 
 def in_frame(title, body):
     """A whole page: the title is text, the body HTML."""
-    with open(os.path.join(os.path.dirname(__file__), "page.css")) as stream:
-        style = stream.read()
+    style = safe.read_text(os.path.join(os.path.dirname(__file__), "page.css"))
     return PAGE.format(title=escaped(title), style=style, body=body)
 
 
@@ -383,13 +382,11 @@ def table_section(results):
     text = "<div class=\"tables\"><div><h3>Result</h3>%s</div>" \
         "<div><h3>Model and material</h3>%s</div></div>" % (left, right)
     if results.parameters:
-        groups = {}
-        for path, value in results.parameters.items():
-            group, _, name = path.rpartition("/")
-            groups.setdefault(group, []).append((name, value))
+        groups = safe.grouped((path.rpartition("/") + (value,) for path, value
+                               in results.parameters.items()), lambda parts: parts[0])
         text += "<details><summary>All parameters</summary><div>%s</div></details>" \
             % "".join("<section><h3>%s</h3>%s</section>"
-                      % (escaped(group or "General"), table(rows))
+                      % (escaped(group or "General"), table(row[2:] for row in rows))
                       for group, rows in groups.items())
     return section("The run", text, "long")
 

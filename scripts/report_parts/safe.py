@@ -66,17 +66,21 @@ def finite(text):
     return value if abs(value) <= LARGEST else None
 
 
-def is_number(text):
-    """Whether it is written as a number, finite or not."""
+def is_number_or_empty(text):
+    """Whether a number is written there, finite or not, or nothing."""
     try:
-        float(text)
+        float(text.strip() or 0)
         return True
-    except (TypeError, ValueError, OverflowError):
+    except ValueError:
         return False
 
 
-def is_number_or_empty(text):
-    return not text.strip() or is_number(text)
+def grouped(items, key):
+    """{key(item): items}, in the order in which they come."""
+    found = {}
+    for item in items:
+        found.setdefault(key(item), []).append(item)
+    return found
 
 
 def fields_of(line):

@@ -13,7 +13,7 @@ import zlib
 
 import numpy as np
 
-from .safe import LARGEST, finite
+from .safe import LARGEST, finite, read_text
 
 TYPES = {"Float32": "f4", "Float64": "f8", "Int8": "i1", "UInt8": "u1",
          "Int16": "i2", "UInt16": "u2", "Int32": "i4", "UInt32": "u4",
@@ -55,11 +55,7 @@ class Fields:
 
 def read_collection(directory):
     """[(time, path)] of fields.pvd, by time, files that exist only."""
-    try:
-        with open(os.path.join(directory, "fields.pvd"), errors="replace") as stream:
-            text = stream.read()
-    except OSError:
-        return []
+    text = read_text(os.path.join(directory, "fields.pvd")) or ""
     entries = {}
     # no XML parser: the collection of a killed run may end anywhere
     for attributes in re.findall(r"<DataSet\b([^>]*)>", text):
@@ -128,11 +124,8 @@ def read_piece_file(path, names):
             continue
         cells = {e.get("Name"): array(e) for e in piece.find("Cells")}
         points = array(piece.find("Points")[0]).reshape(-1, 3)
-        data = {}
-        point_data = piece.find("PointData")
-        for element in ([] if point_data is None else point_data):
-            if element.get("Name") in names:
-                data[element.get("Name")] = array(element)
+        data = {e.get("Name"): array(e) for e in piece.iterfind("PointData/*")
+                if e.get("Name") in names}
         if len(points) != n_points:
             raise FieldError("it holds fewer points than it says")
         pieces.append((points.astype(float), cells["connectivity"].astype(int),

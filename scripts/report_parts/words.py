@@ -32,10 +32,8 @@ def number(value, unit="", digits=4):
         return str(value)
     if not math.isfinite(value):
         return "–"
-    if value == int(value) and abs(value) < 1e15:
-        text = "{:,}".format(int(value)).replace(",", "\u202f")
-    else:
-        text = "%.*g" % (digits, value)
+    text = "{:,}".format(int(value)).replace(",", "\u202f") \
+        if value == int(value) and abs(value) < 1e15 else "%.*g" % (digits, value)
     return text + ("\u00a0" + unit if unit else "")
 
 
@@ -44,15 +42,10 @@ def known(value):
 
 
 def duration(seconds):
-    try:
-        seconds = float(seconds)
-    except (TypeError, ValueError, OverflowError):
-        return str(seconds)
-    if not math.isfinite(seconds):
-        return "–"
-    if seconds < 120.:
+    known_seconds = finite(seconds)
+    if known_seconds is None or known_seconds < 120.:
         return number(seconds, "s", 3)
-    minutes = int(round(seconds / 60.))
+    minutes = int(round(known_seconds / 60.))
     return "%d\u00a0min" % minutes if minutes < 120 else \
         "%d\u00a0h %02d\u00a0min" % divmod(minutes, 60)
 

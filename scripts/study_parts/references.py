@@ -18,6 +18,8 @@ import collections
 import csv
 import math
 
+from report_parts.safe import grouped
+
 from .errors import StudyError
 
 FORCES = ("force_N_per_mm", "force_N")
@@ -144,10 +146,8 @@ def read_paths(path):
 def name_for(run_name, names):
     """Which of the names of references belongs to a run: its own, its last word
     (of neo_hooke_12, 12), or '', which belongs to all; None without one."""
-    for name in (run_name, run_name.rpartition("_")[2], ""):
-        if name in names:
-            return name
-    return None
+    return next((name for name in (run_name, run_name.rpartition("_")[2], "")
+                 if name in names), None)
 
 
 class References:
@@ -170,13 +170,12 @@ class References:
         known.update(found)
 
     def add_points(self, points, path):
-        groups = {}
         for point in points:
             if self.unit not in (None, point.unit):
                 raise StudyError("%s: its forces are %s, those before it %s"
                                  % (path, point.unit, self.unit))
             self.unit = point.unit
-            groups.setdefault(point.name, []).append(point)
+        groups = grouped(points, lambda point: point.name)
         # one row and several of a name are two things: its peak and its curve
         self.add(self.points, {n: p[0] for n, p in groups.items() if len(p) == 1}, path)
         self.add(self.curves, {n: p for n, p in groups.items() if len(p) > 1}, path)

@@ -134,8 +134,9 @@ def written(study, chosen):
     remarks += [mixture] if mixture else []
     body = "<header><p class=\"kind\">Sweep</p><h1>%s</h1><p>%d cases: %s</p></header>" \
         % (page.escaped(title), len(rows), page.escaped(counts_of(rows)))
-    body += page.aside(remarks) + page.section("Cases", table_of(study, chosen, rows) + others_of(study),
-                         "long") + middle + foot(study)
+    body += page.aside(remarks) + page.section(
+        "Cases", table_of(study, chosen, rows) + others_of(study), "long") \
+        + middle + foot(study)
     text = page.in_frame(title, body)
     if not is_over(rows):
         text = text.replace("<head>\n", "<head>\n" + REFRESH % SECONDS, 1)
@@ -147,8 +148,8 @@ def write_pages(study, chosen):
     os.makedirs(os.path.join(study.output, FOLDER), exist_ok=True)
     for case in chosen:
         target = path_of_page(study, case)
-        page_time, *times = (os.path.getmtime(path) if os.path.isfile(path) else 0. for path
-                             in (target, case.path("statistics.csv"),
-                                 case.path("summary.json")))
+        page_time, *times = (
+            os.path.getmtime(path) if os.path.isfile(path) else 0.
+            for path in (target, case.path("statistics.csv"), case.path("summary.json")))
         if times[0] and page_time <= max(times):
             safe.write_whole(target, page.written(case.directory))

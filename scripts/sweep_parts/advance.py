@@ -97,13 +97,12 @@ class Piece:
         the signal that was to end it, or None."""
         case, piece = self.case, record["pieces"][-1]
         summary = case.summary()
+        told = summary.get("exit_status")
         # mpirun makes 1 of most failures
-        if status != 0 and summary.get("exit_status"):
-            status = summary["exit_status"]
-        if status == 0 and summary.get("exit_status") != 0:
-            status = summary.get("exit_status") or FILES
+        if told or (told is None and status == 0):
+            status = told or FILES
         # killed on its way out, when all was written
-        if is_signal(status) and summary.get("exit_status") == 0:
+        if is_signal(status) and told == 0:
             status = DONE
         if asked is not None and status in KILLED_BY_A_REQUEST:
             status = STOPPED if case.has_checkpoint() else TOO_EARLY

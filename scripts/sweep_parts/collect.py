@@ -65,18 +65,12 @@ def rows_of(chosen, mixed=False):
     return [row_of(case, titles, mixed) for case in chosen]
 
 
-def revisions_of(rows):
-    """{revision: names} of rows with results."""
-    found = {}
+def mixture_of(rows):
+    """Of results of several revisions, in words, or ''."""
+    revisions = {}
     for row in rows:
         for revision in (row.get("revision") or "").split():
-            found.setdefault(revision, []).append(row["name"])
-    return found
-
-
-def mixture_of(rows):
-    """In words, or ''."""
-    revisions = revisions_of(rows)
+            revisions.setdefault(revision, []).append(row["name"])
     if len(revisions) < 2:
         return ""
     return "results of several revisions of the program: " + "; ".join(

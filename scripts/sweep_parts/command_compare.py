@@ -23,10 +23,11 @@ OPENS_ITSELF = True
 OPTIONS = (
     ("--reference", "CSV", "peaks, curves and digitised paths",
      {"nargs": "+", "required": True}),
-    ("--deviations", "K", "standard deviations to each side of a mean that are within the "
-     "scatter (1)", {"type": float, "default": 1.}),
-    ("--tolerance", "NAME=LIMIT", "peak, displacement, curve, area as 5%%, path, hausdorff "
-     "in mm, scatter: how many figures may lie outside; decides on the exit status",
+    ("--deviations", "K", "standard deviations to each side of a mean that are within "
+     "the scatter (1)", {"type": float, "default": 1.}),
+    ("--tolerance", "NAME=LIMIT", "peak, displacement, curve, area as 5%%, path, "
+     "hausdorff in mm, scatter: how many figures may lie outside; decides on the exit "
+     "status",
      {"nargs": "+", "default": []}),
     ("--figures", "DIR", "figures of the cases (OUTPUT/comparison); '' for none"),
     ("--format", "{svg,png}", "of the figures (svg)",
@@ -43,7 +44,8 @@ def run(arguments, _):
     runs, missing, output = runs_of(arguments)
     found, known = comparison.compared(runs, arguments.reference, arguments.deviations)
     missed = comparison.judged(found, tolerances)
-    missed += missing_ones(missing, known) if tolerances else []
+    missed += ["%s has not been run" % name for name in missing
+               if tolerances and known.used_by(name)]
     text = comparison_text.markdown(found, known, missed)
     safe.write_whole(os.path.join(output, "comparison.md"), text)
     safe.write_whole(os.path.join(output, "comparison.csv"),
@@ -74,10 +76,6 @@ def runs_of(arguments):
         raise StudyError("no case of %s has been run yet" % arguments.file)
     return ([studies.StudyRun(case.name, case.directory) for case in there], missing,
             opened.output)
-
-
-def missing_ones(names, known):
-    return ["%s has not been run" % name for name in names if known.used_by(name)]
 
 
 def draw(found, known, folder, suffix):

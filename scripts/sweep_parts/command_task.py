@@ -28,8 +28,8 @@ HELP = "calculate cases by name; for a job of any queue"
 OPENS_ITSELF = True
 OPTIONS = [
     ("names", "NAME", "of cases; several run side by side", {"nargs": "*"}),
-    ("--group", "K", "of a manifest: the cases of its K-th task, from 0", {"type": int})] \
-    + resources.options("ranks", "launcher")
+    ("--group", "K", "of a manifest: the cases of its K-th task, from 0",
+     {"type": int})] + resources.options("ranks", "launcher")
 
 
 def run(arguments, _):

@@ -1,8 +1,11 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 """The cases of a sweep in the queue, and the text of the jobs that are submitted."""
 import os
+import re
 import shlex
 import sys
+
+from report_parts import safe
 
 from . import manifest, slurm
 from .program import ENVIRONMENT
@@ -14,10 +17,7 @@ SWEEP = os.path.join(os.path.dirname(os.path.dirname(os.path.realpath(__file__))
 def in_queue(output):
     """{name of a case: (Task, id of the case)} of what this user has in the queue of
     the submissions of a directory; the newest counts. Raises QueueError."""
-    tasks = {}
-    for task in slurm.queue():
-        tasks.setdefault(task.name, []).append(task)
-    found = {}
+    tasks, found = safe.grouped(slurm.queue(), lambda task: task.name), {}
     for frozen in manifest.all_of(output):
         for array in frozen.content["arrays"]:
             for task in tasks.get(array["job_name"], ()):
@@ -29,13 +29,12 @@ def in_queue(output):
 
 def quoted(text):
     """A word of an #SBATCH line."""
-    if all(letter.isalnum() or letter in "_-+=./,:%@" for letter in text):
-        return text
-    return '"%s"' % text.replace("\\", "\\\\").replace('"', '\\"')
+    return text if re.fullmatch(r"[\w+=./,:%@-]*", text) else \
+        '"%s"' % text.replace("\\", "\\\\").replace('"', '\\"')
 
 
 def script(options, given, *words):
-    """A job with these options of sbatch, and those of the user; words: the last lines."""
+    """A job with these options of sbatch, and the user's; words: the last lines."""
     options = options + ["%s=%s" % (key, given[key]) for key in ("partition", "account")
                          if given[key]]
     lines = ["#!/bin/bash"] + ["#SBATCH " + quoted("--" + option) for option in options]

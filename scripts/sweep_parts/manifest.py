@@ -47,10 +47,9 @@ class Manifest:
 
     def names_of(self, job_name, index):
         """The cases of a task of the queue; none when it is of another array."""
-        for array in self.content["arrays"]:
-            if array["job_name"] == job_name and 0 <= index < array["count"]:
-                return self.groups[array["first"] + index]
-        return []
+        return next((self.groups[array["first"] + index]
+                     for array in self.content["arrays"]
+                     if array["job_name"] == job_name and 0 <= index < array["count"]), [])
 
 
 def frozen(study, chosen, groups, arrays, token, launcher, ranks):

@@ -32,11 +32,10 @@ def environment():
 def found():
     """The program of this source tree, beside this installation, or on the PATH."""
     scripts = os.path.dirname(os.path.dirname(os.path.realpath(__file__)))
-    for path in (os.path.join(scripts, os.pardir, "build", "mixed-cracks"),
-                 os.path.join(scripts, os.pardir, os.pardir, os.pardir, "bin",
-                              "mixed-cracks")):
+    for place in ("../build/mixed-cracks", "../../../bin/mixed-cracks"):
+        path = os.path.normpath(os.path.join(scripts, place))
         if os.access(path, os.X_OK):
-            return os.path.normpath(path)
+            return path
     return shutil.which("mixed-cracks")
 
 
@@ -44,12 +43,11 @@ class Program:
     """path: absolute; None looks for it. Raises SweepError."""
 
     def __init__(self, path=None):
+        path = path or found()
         if path is None:
-            path = found()
-            if path is None:
-                raise SweepError("mixed-cracks is neither in build/ nor on the PATH; "
-                                 "name it with --program")
-        elif os.sep not in path:
+            raise SweepError("mixed-cracks is neither in build/ nor on the PATH; "
+                             "name it with --program")
+        if os.sep not in path:
             path = shutil.which(path) or path
         self.path = os.path.abspath(path)
         if not os.path.isfile(self.path) or not os.access(self.path, os.X_OK):

@@ -73,11 +73,9 @@ def file_of(arguments):
     """Path of cluster.ini, or None."""
     if arguments.cluster:
         return arguments.cluster
-    for folder in (os.path.dirname(os.path.abspath(arguments.file)), os.getcwd()):
-        path = os.path.join(folder, FILE)
-        if os.path.isfile(path):
-            return path
-    return None
+    folders = os.path.dirname(os.path.abspath(arguments.file)), os.getcwd()
+    return next(filter(os.path.isfile, (os.path.join(folder, FILE)
+                                        for folder in folders)), None)
 
 
 def read_file(path):

@@ -7,7 +7,7 @@ import numpy as np
 from matplotlib.colors import to_rgb
 from matplotlib.figure import Figure
 
-from report_parts import curves
+from report_parts import curves, safe
 from study_parts import drawing, references
 from study_parts.errors import StudyError
 
@@ -26,18 +26,16 @@ def shade(color, share):
 def styles_of(runs):
     """{name: (color, dashes)}: a hue per group, within it from light to full,
     in the order of the sweep. A hue per run where grouping tells nothing."""
-    groups = {}
-    for run in runs:
-        groups.setdefault(run.group, []).append(run.name)
+    groups = safe.grouped(runs, lambda run: run.group)
     if len(groups) in (1, len(runs)):
-        groups = {run.name: [run.name] for run in runs}
+        groups = {run.name: [run] for run in runs}
     styles = {}
-    for i, names in enumerate(groups.values()):
-        for k, name in enumerate(names):
-            share = (k + 1.) / len(names)
+    for i, own in enumerate(groups.values()):
+        for k, run in enumerate(own):
+            share = (k + 1.) / len(own)
             # from the ninth group on hues repeat: another dash tells
-            dash = DASHES[(i // len(HUES) + len(names) - 1 - k) % len(DASHES)]
-            styles[name] = shade(HUES[i % len(HUES)], share), dash
+            dash = DASHES[(i // len(HUES) + len(own) - 1 - k) % len(DASHES)]
+            styles[run.name] = shade(HUES[i % len(HUES)], share), dash
     return styles
 
 
@@ -50,8 +48,10 @@ class ReferenceCurve:
         self.y = np.array([point.force for point in points])
         self.bars = None  # below and above of x, and of y
         if points[0].scatter is not None:
-            self.bars = [bars_of([point.scatter and point.scatter[k] or (mean, mean)
-                                  for point, mean in zip(points, means)], means)
+            # lengths below and above the means, (2, n)
+            self.bars = [np.abs(np.array([
+                point.scatter and point.scatter[k] or (mean, mean)
+                for point, mean in zip(points, means)]).T - means)
                          for k, means in enumerate((self.x, self.y))]
 
     def scale_forces(self, factor):
@@ -72,18 +72,11 @@ class ReferenceCurve:
                       label=self.label)
 
 
-def bars_of(bands, means):
-    """Lengths below and above the means, (2, n)."""
-    return np.abs(np.array(bands).T - means)
-
-
 def reference_curves(paths, runs, per_thickness):
     """[ReferenceCurve], with forces as the curves of the runs have them."""
     found = []
     for path in paths:
-        groups = {}
-        for point in references.read_points(path):
-            groups.setdefault(point.name, []).append(point)
+        groups = safe.grouped(references.read_points(path), lambda point: point.name)
         stem = os.path.splitext(os.path.basename(path))[0]
         for name, points in groups.items():
             curve = ReferenceCurve((stem + " " + name).strip(), name, points)

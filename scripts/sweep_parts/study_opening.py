@@ -27,10 +27,8 @@ def read_lines(directory):
                                  "columns %s" % (path, ", ".join(NEEDED)))
     rows = [dict(zip(names, map(safe.finite, line))) for line in lines]
     rows = [row for row in rows if None not in row.values()]
-    lines = {}
-    for row in rows:
-        if row["step"] == rows[-1]["step"]:
-            lines.setdefault(int(row["line"]), []).append(row)
+    lines = safe.grouped((row for row in rows if row["step"] == rows[-1]["step"]),
+                         lambda row: int(row["line"]))
     found = {}
     for number, line in lines.items():
         points = np.array([[row[name] for name in ("x_mm", "y_mm", "z_mm")

@@ -46,10 +46,6 @@ def values_of(fields, name, path):
         "and those of doc/output.md" % (name, os.path.basename(path)))
 
 
-def unit_of(name):
-    return next((unit for start, unit in UNITS.items() if name.startswith(start)), "")
-
-
 def points_and_faces(fields, deformed):
     """As they are; deformed: without the broken cells."""
     if deformed is None:
@@ -81,7 +77,7 @@ def told_apart(fields):
 
 def label_of(name, limits):
     """(limits, words for the colour bar); small lengths in micrometres."""
-    unit = unit_of(name)
+    unit = next((unit for start, unit in UNITS.items() if name.startswith(start)), "")
     if unit == "mm" and max(map(abs, limits)) < 0.02:
         limits, unit = tuple(1000. * limit for limit in limits), "µm"
     return limits, name.replace("_", " ") + (" (%s)" % unit if unit else "")

@@ -61,10 +61,8 @@ def proportional_steps(rows):
         return None
     stiffness = [abs(row.get(force, 0.)) / abs(row["displacement_mm"])
                  for row in rows]
-    for count, value in enumerate(stiffness):
-        if not value >= (1. - SOFTENING) * stiffness[0]:
-            return count
-    return len(rows)
+    return next((count for count, value in enumerate(stiffness)
+                 if not value >= (1. - SOFTENING) * stiffness[0]), len(rows))
 
 
 def results_of(directory):
