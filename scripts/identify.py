@@ -28,6 +28,7 @@ import sys
 
 sys.path.insert(0, os.path.dirname(os.path.realpath(__file__)))
 from report_parts import interpreter, options, safe  # noqa: E402
+from report_parts.errors import InputError  # noqa: E402
 
 
 GENERAL = (
@@ -88,7 +89,6 @@ def parser_of():
 def checked_arguments():
     """The arguments, numbers read."""
     from identify_parts import settings
-    from identify_parts.errors import InputError
     arguments = parser_of().parse_args()
     if arguments.picture and not arguments.picture.endswith((".svg", ".png")):
         raise InputError("--picture: expected a name that ends in .svg or .png, found "
@@ -158,22 +158,16 @@ def law_answer(arguments):
     return written(arguments, answer.text_of(*given), answer.json_of(*given))
 
 
+def print_answer():
+    arguments = checked_arguments()
+    sys.stdout.write((tear_answer if arguments.tear else law_answer)(arguments))
+
+
 def main():
     import numpy
-    from identify_parts.errors import InputError
     numpy.seterr(all="ignore")  # what is not finite is refused where it is written
-    try:
-        arguments = checked_arguments()
-        text = (tear_answer if arguments.tear else law_answer)(arguments)
-    except (InputError, OSError) as error:
-        print("identify.py: %s" % error, file=sys.stderr)
-        return 2
-    except Exception as error:  # whatever the files hold, no trace of the inside
-        print("identify.py: nothing can be made of this (%s)" % safe.in_words(error),
-              file=sys.stderr)
-        return 2
-    sys.stdout.write(text)
-    return 0
+    return safe.ended("identify.py", InputError, "nothing can be made of this",
+                      print_answer)
 
 
 if __name__ == "__main__":

@@ -18,7 +18,7 @@ import pathlib
 import sys
 
 sys.path.insert(0, os.path.dirname(os.path.realpath(__file__)))
-from report_parts import interpreter  # noqa: E402
+from report_parts import interpreter, safe  # noqa: E402
 
 HEIGHT = 2.1  # of a panel, inches
 DPI = 120
@@ -107,19 +107,20 @@ def draw(all_panels):
     return figure
 
 
+def write(arguments):
+    from report_parts import pictures
+    from sweep_parts import study_cracks
+    moments = chosen_fields(arguments.directory, arguments.steps)
+    png = pictures.png_of(draw(panels(moments, arguments.sections)), DPI)
+    pathlib.Path(arguments.output).write_bytes(study_cracks.small_png(png))
+    print(arguments.output)
+
+
 def main():
     arguments = read_arguments()
-    from report_parts import pictures, vtu
-    from sweep_parts import study_cracks
-    try:
-        moments = chosen_fields(arguments.directory, arguments.steps)
-        png = pictures.png_of(draw(panels(moments, arguments.sections)), DPI)
-        pathlib.Path(arguments.output).write_bytes(study_cracks.small_png(png))
-    except (vtu.FieldError, OSError) as error:
-        print("picture_3d.py: %s" % error, file=sys.stderr)
-        return 2
-    print(arguments.output)
-    return 0
+    from report_parts import vtu
+    return safe.ended("picture_3d.py", vtu.FieldError, "the run cannot be drawn", write,
+                      arguments)
 
 
 if __name__ == "__main__":

@@ -42,6 +42,7 @@ import sys
 
 sys.path.insert(0, os.path.dirname(os.path.realpath(__file__)))
 from report_parts import interpreter, options, safe  # noqa: E402
+from report_parts.errors import InputError  # noqa: E402
 
 
 def deformation(text):
@@ -142,23 +143,15 @@ def written(arguments):
     return table(runs, arguments)
 
 
+def print_written(arguments):
+    text = written(arguments)
+    sys.stdout.write(arguments.output + "\n" if text is None else text)
+
+
 def main():
     arguments = read_arguments()
-    from sweep_parts import studies
-    try:
-        text = written(arguments)
-    except (studies.StudyError, OSError) as error:
-        print("study.py: %s" % error, file=sys.stderr)
-        return 2
-    except Exception as error:  # whatever the files hold, no trace of the inside
-        print("study.py: %s cannot be drawn (%s)"
-              % (arguments.kind, safe.in_words(error)), file=sys.stderr)
-        return 2
-    if text is None:
-        print(arguments.output)
-    else:
-        sys.stdout.write(text)
-    return 0
+    return safe.ended("study.py", InputError, arguments.kind + " cannot be drawn",
+                      print_written, arguments)
 
 
 if __name__ == "__main__":

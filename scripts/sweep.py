@@ -55,13 +55,14 @@ command goes on; of task that of the case, see there. Needs Python's own library
 """
 import argparse
 import importlib
+import itertools
 import os
 import sys
 
 sys.path.insert(0, os.path.dirname(os.path.realpath(__file__)))
 from report_parts import options  # noqa: E402
+from report_parts.errors import InputError  # noqa: E402
 from sweep_parts import lock, study  # noqa: E402
-from sweep_parts.errors import SweepError  # noqa: E402
 
 # Each module, command_plan and so on, has HELP, OPTIONS (report_parts/options.py), and
 # run(arguments, study), which returns the exit status; with OPENS_ITSELF for study None.
@@ -85,10 +86,8 @@ def read_arguments(words):
         one.add_argument("file", metavar="FILE")
         options.add(one, FOR_ALL)
         options.add(one, module.OPTIONS)
-    extra = []
-    if "--" in words:
-        extra = words[words.index("--") + 1:]
-        words = words[:words.index("--")]
+    own = list(itertools.takewhile(lambda word: word != "--", words))
+    extra, words = words[len(own) + 1:], own
     if words and words[0] not in COMMANDS and words[0] not in ("-h", "--help"):
         if words[0].isalpha() and not os.path.exists(words[0]):
             parser.error("'%s' is neither a command (%s) nor a file"
@@ -110,7 +109,7 @@ def main():
     try:
         return module.run(arguments, None if hasattr(module, "OPENS_ITSELF")
                           else study.opened(arguments))
-    except (SweepError, lock.InUse, OSError) as error:
+    except (InputError, lock.InUse, OSError) as error:
         print("sweep.py: %s" % error, file=sys.stderr)
         return getattr(error, "exit_status", 2)
 

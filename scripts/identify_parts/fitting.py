@@ -8,7 +8,8 @@ squares / (points - constants); intervals are those of Student's t.
 """
 import numpy as np
 
-from .errors import InputError
+from report_parts.errors import InputError
+
 from .laws import largest_invariant
 
 N_REFINED = 24  # of the starts, the best by a linear fit
@@ -103,9 +104,8 @@ class Problem:
 
 def solved(problem):
     """The constants of the best of the minima found."""
-    starts = [problem.linear_start(other)
-              for other in problem.law.starts(problem.largest)]
-    starts.sort(key=lambda start: start[0])
+    starts = sorted((problem.linear_start(other) for other
+                     in problem.law.starts(problem.largest)), key=lambda start: start[0])
     if not problem.law.other:
         return problem.refined(starts[0][1])[1]
     minima = [problem.refined(start) for _, start in starts[:N_REFINED]]

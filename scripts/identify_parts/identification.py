@@ -2,9 +2,10 @@
 """From the command line to a law: which tests, which constants, which range."""
 import numpy as np
 
+from report_parts.csv_table import number_in
+from report_parts.errors import InputError
+
 from . import fitting, laws, linear_ranges, rubber_tests, settings
-from .csv_table import number_in
-from .errors import InputError
 
 DEFAULT_USE = 1., 5.
 

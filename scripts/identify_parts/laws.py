@@ -21,7 +21,7 @@ import itertools
 
 import numpy as np
 
-from .errors import InputError
+from report_parts.errors import InputError
 
 MODES = ("uniaxial", "planar", "equibiaxial")
 

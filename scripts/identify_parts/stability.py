@@ -54,13 +54,12 @@ def crossing(function, low, high):
 def checked(law, constants, interval):
     """{mode: {"from", "to": stretches at which there is a stress, "unstable",
     "declines": [(from, to)]}}."""
-    every = np.geomspace(interval[0], interval[1], N_SAMPLES)
-    return {mode: checked_mode(law, constants, mode,
-                               existing(law, constants, mode, every))
-            for mode in MODES}
+    every = np.geomspace(*interval, N_SAMPLES)
+    return {mode: checked_mode(law, constants, mode, every) for mode in MODES}
 
 
 def checked_mode(law, constants, mode, stretch):
+    stretch = existing(law, constants, mode, stretch)
     if len(stretch) == 0:
         return {"from": None, "to": None, "unstable": [], "declines": []}
     parts = [negative_parts(lambda s, f=function: f(law, constants, mode, s), stretch)

@@ -19,7 +19,8 @@ import collections
 
 import numpy as np
 
-from .errors import InputError
+from report_parts.errors import InputError
+
 from .tear_curves import GROWING
 
 DIFFERENCE, BALANCE, RATIO, PLANE, PAPER = METHODS = (

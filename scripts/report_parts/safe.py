@@ -7,6 +7,7 @@ import hashlib
 import json
 import math
 import os
+import sys
 
 # What is larger is no measure of a body in mm, N, MPa or s, and breaks drawing.
 LARGEST = 1e30
@@ -44,6 +45,19 @@ def checksum_of(path):
 def in_words(error):
     """An error that nobody foresaw, on one line."""
     return "%s: %s" % (type(error).__name__, " ".join(str(error).split())[:300])
+
+
+def ended(script, known, what, function, *arguments):
+    """The exit status of a script that function does the work of: 2 with a line where
+    it raises a known kind of error, and where files hold what nobody foresaw."""
+    try:
+        function(*arguments)
+        return 0
+    except (known, OSError) as error:
+        print("%s: %s" % (script, error), file=sys.stderr)
+    except Exception as error:  # no trace of the inside
+        print("%s: %s (%s)" % (script, what, in_words(error)), file=sys.stderr)
+    return 2
 
 
 def write_whole(path, text):
@@ -143,11 +157,8 @@ def json_object(text):
         raise ValueError("too many brackets")
     if not isinstance(value, dict):
         raise ValueError("not an object")
-    found = {}
-    for key, entry in cleaned(value).items():
-        kind = KINDS.get(key, (bool, int, float, str))
-        if entry is not None and isinstance(entry, kind):
-            found[key] = entry
+    found = {key: entry for key, entry in cleaned(value).items()
+             if isinstance(entry, KINDS.get(key, (bool, int, float, str)))}
     phases = found.get("seconds_per_phase", {})
     for name in [name for name in phases if finite(phases[name]) is None]:
         del phases[name]
