@@ -5,7 +5,6 @@ by PIL, or a series of PNG for whatever makes videos."""
 import io
 import os
 
-import matplotlib
 import matplotlib.image
 import numpy as np
 from matplotlib.figure import Figure
@@ -61,9 +60,8 @@ class Frames:
                 [self.points(fields) for _, fields in drawn] + [drawn[0][1].points])
 
     def points(self, fields):
-        if self.scale == 0. or "displacement" not in fields.data:
-            return fields.points
-        return pictures.deformed_points(fields, self.scale)
+        return pictures.deformed_points(fields, self.scale) \
+            if self.scale and "displacement" in fields.data else fields.points
 
     def draw_body(self, axes, fields):
         if self.is_solid:

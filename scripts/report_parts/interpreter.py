@@ -51,13 +51,13 @@ def use_another(modules):
 
 
 def use_one_with_matplotlib():
-    if not missing_here(DRAWING):
-        return
-    use_another(DRAWING)
-    sys.exit("%s: no Python with matplotlib and numpy was found (tried: %s).\n"
-             "On Debian: apt-get install python3-matplotlib; or name one in "
-             "MIXED_CRACKS_PYTHON." % (os.path.basename(sys.argv[0]),
-                                       ", ".join([sys.executable] + interpreters())))
+    if missing_here(DRAWING):
+        use_another(DRAWING)
+        sys.exit("%s: no Python with matplotlib and numpy was found (tried: %s).\n"
+                 "On Debian: apt-get install python3-matplotlib; or name one in "
+                 "MIXED_CRACKS_PYTHON."
+                 % (os.path.basename(sys.argv[0]),
+                    ", ".join([sys.executable] + interpreters())))
 
 
 def use_one_with(modules):

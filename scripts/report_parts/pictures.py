@@ -4,8 +4,9 @@ import io
 
 import matplotlib
 import numpy as np
+from matplotlib.cm import ScalarMappable
 from matplotlib.collections import LineCollection
-from matplotlib.colors import LinearSegmentedColormap
+from matplotlib.colors import LinearSegmentedColormap, Normalize
 from matplotlib.figure import Figure
 
 from . import vtu
@@ -145,6 +146,12 @@ def draw_body(axes, fields, points, faces, width=0.8):
         lines(axes, points, outline_of(fields.points, faces), width)
 
 
+def color_bar(figure, axes, colors, limits, ticks):
+    """To the right; ticks: numbers, or what chooses them."""
+    figure.colorbar(ScalarMappable(Normalize(*limits), colors), cax=axes, ticks=ticks,
+                    orientation="horizontal").outline.set_visible(False)
+
+
 def phase_field_picture(fields):
     """PNG of the phase field on the undeformed body."""
     figure, axes = canvas(window_of(fields.points))
@@ -210,10 +217,8 @@ def longest_edges(points, faces):
 
 def common_window(all_points):
     """One window for bodies that are to be compared by eye."""
-    windows = [window_of(points) for points in all_points]
-    low = np.min([window[0] for window in windows], axis=0)
-    high = np.max([window[1] for window in windows], axis=0)
-    return low, high
+    low, high = zip(*map(window_of, all_points))
+    return np.min(low, axis=0), np.max(high, axis=0)
 
 
 def unbroken_faces(fields, points, scale):

@@ -7,7 +7,6 @@ several pieces: what deal.II writes. Appended data are not.
 import base64
 import os
 import re
-import struct
 import xml.etree.ElementTree as ElementTree
 import zlib
 
@@ -92,8 +91,8 @@ def decoded(element, header_type, compressed, order):
         raw = base64.b64decode(text)
         return np.frombuffer(raw[size:], number)
     # header: number of blocks, block size, last block size, compressed sizes
-    n_blocks = struct.unpack(letter,
-                             base64.b64decode(text[:encoded_length(size)])[:size])[0]
+    n_blocks = int(np.frombuffer(base64.b64decode(text[:encoded_length(size)])[:size],
+                                 letter)[0])
     header_length = encoded_length((3 + n_blocks) * size)
     header = np.frombuffer(base64.b64decode(text[:header_length]),
                            np.dtype(letter))[3:3 + n_blocks]
@@ -167,9 +166,7 @@ def faces_of(connectivity, offsets, types):
         is_volume = is_volume or len(FACES[kind]) > 1
         faces += [connectivity[starts[:, None] + np.array(corners)]
                   for corners in FACES[kind]]
-    if not faces:
-        return np.zeros((0, 4), int), is_volume
-    return np.concatenate(faces), is_volume
+    return np.concatenate(faces or [np.zeros((0, 4), int)]), is_volume
 
 
 def hexahedra_of(connectivity, offsets, types):
@@ -243,8 +240,7 @@ def read_fields(path, names):
     except FieldError as error:
         raise FieldError("%s: %s" % (os.path.basename(path), error))
     except (OSError, ElementTree.ParseError, ValueError, LookupError, TypeError,
-            AttributeError, ArithmeticError, MemoryError, zlib.error,
-            struct.error) as error:
+            AttributeError, ArithmeticError, MemoryError, zlib.error) as error:
         raise FieldError("%s cannot be read (%s)" % (os.path.basename(path), error))
     if not pieces:
         raise FieldError("%s holds no cells" % os.path.basename(path))

@@ -60,16 +60,13 @@ def geometry_in_words(results):
     if width is not None and height is not None:
         text += " of %s × %s" % (number(width), number(height, "mm"))
     details = []
-    radius = results.number(own + "Hole radius")
-    if radius:
-        center = results.parameter(own + "Hole center")
-        details.append("a hole of radius %s" % number(radius, "mm")
-                       + (" at (%s)" % center if center else ""))
-    length = results.number(own + "Notch length")
-    if length:
-        at = results.number(own + "Notch height")
-        details.append("a notch of %s" % number(length, "mm")
-                       + (" at height %s" % number(at, "mm") if at is not None else ""))
+    for what, entry, where, other in (
+            ("a hole of radius %s", "Hole radius", " at (%s)", "Hole center"),
+            ("a notch of %s", "Notch length", " at height %s", "Notch height")):
+        size, at = results.number(own + entry), results.parameter(own + other)
+        if size:  # a center is no number, and stays as it is
+            details.append(what % number(size, "mm")
+                           + (where % number(at, "mm") if at else ""))
     return text + (" with " + " and ".join(details) if details else "")
 
 
@@ -213,10 +210,8 @@ def remarks_of(results, force):
                 "The separated body still carries %.0f %% of the peak force: the "
                 "residual stiffness and the pressure in the damaged band "
                 "(doc/model.md, section 3)." % (100. * float(fraction)))
-    warnings = summary.get("warnings")
-    if not isinstance(warnings, list):  # a run that has not come to its summary
-        warnings = results.log_warnings
-    return remarks + [str(warning) for warning in warnings]
+    # the log has those of a run that has not come to its summary
+    return remarks + list(map(str, summary.get("warnings", results.log_warnings)))
 
 
 def run_table(results):
@@ -233,7 +228,5 @@ def run_table(results):
         elif not isinstance(value, str):
             value = number(value)
         rows.append((LABELS.get(name) or label(name), value))
-    phases = summary.get("seconds_per_phase")
-    for name, seconds in (phases.items() if isinstance(phases, dict) else ()):
-        rows.append(("Time for " + name, duration(seconds)))
-    return rows
+    return rows + [("Time for " + name, duration(seconds)) for name, seconds
+                   in summary.get("seconds_per_phase", {}).items()]

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 """Bisections of several runs at a time: the values, the cases that carry them, and the
 report. Python's own library only; bisection.py has the logic of one."""
+from report_parts.safe import finite
 from sweep_parts.table import csv_text
 
 from . import bisection, derived
@@ -29,11 +30,9 @@ class Critical:
         """Values that an earlier bisection has asked for, of its {case: settings}."""
         for name in self.runs:
             for case, settings in before.items():
-                try:
-                    value = float(dict(settings).get(self.entry, ""))
-                except ValueError:
-                    continue
-                if case == case_name(name, value) and self.low <= value <= self.high:
+                value = finite(dict(settings).get(self.entry))
+                if value is not None and case == case_name(name, value) \
+                        and self.low <= value <= self.high:
                     self.wanted[name].append(value)
 
     def next_values(self, at_once):

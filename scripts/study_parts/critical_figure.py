@@ -6,8 +6,6 @@ from matplotlib.figure import Figure
 from report_parts import curves
 from sweep_parts.study_curves import HUES
 
-from . import drawing
-
 ROW = 0.42  # inches
 
 
@@ -33,7 +31,3 @@ def draw(critical):
         axes.set_xlabel(critical.entry.split("/")[-1])
         axes.legend(loc="lower left", bbox_to_anchor=(0., 1.), ncols=3, fontsize=8.8)
         return figure
-
-
-def write(critical, path):
-    drawing.save(draw(critical), path, "bisect")

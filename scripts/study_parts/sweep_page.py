@@ -18,7 +18,8 @@ SHOWN = (("outcome", "outcome"), ("start", "start"),
          ("peak_force_N", "peak, N"), ("displacement_at_peak_mm", "at, mm"),
          ("steps", "steps"), ("wall_time_s", "s"))
 OTHERS = (("sweep.csv", "table"), ("comparison.md", "comparison"),
-          ("bisect.csv", "brackets"), ("uncertainty.md", "uncertainty"))
+          ("bisect.csv", "brackets"), ("uncertainty.md", "uncertainty"),
+          ("uncertainty.svg", "uncertainty.svg"), ("comparison", "comparison"))
 
 
 def shown(value):
@@ -70,10 +71,7 @@ def table_of(study, chosen, rows):
 def others_of(study):
     """Links to what other commands have written."""
     found = [link(text, name) for name, text in OTHERS
-             if os.path.isfile(os.path.join(study.output, name))]
-    for name in ("uncertainty.svg", "comparison"):
-        if os.path.exists(os.path.join(study.output, name)):
-            found.append(link(name, name))
+             if os.path.exists(os.path.join(study.output, name))]
     return page.note(" · ".join(found)) if found else ""
 
 

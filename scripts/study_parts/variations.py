@@ -105,9 +105,9 @@ def other_parameters(parameters, entries, share):
                 "--parameters: '%s' %s" % (entry, "is '%s' and no number"
                                            % parameters[entry] if entry in parameters
                                            else "is no entry of the case"))
-        for sign, word in ((1., "plus"), (-1., "minus")):
-            found.append(Variation(entry, word, [
-                (entry, text_of((1. + sign * share) * number_of(parameters, entry)))]))
+        found += [Variation(entry, word, [
+            (entry, text_of((1. + sign * share) * number_of(parameters, entry)))])
+            for sign, word in ((1., "plus"), (-1., "minus"))]
     return found
 
 

@@ -81,7 +81,7 @@ class Piece:
         if case.name not in record["names"]:
             record["names"].append(case.name)
         record.update(base=case.base, settings=dict(case.settings))
-        resumed = case.has_checkpoint()
+        resumed, screen = case.has_checkpoint(), case.path(cases.SCREEN)
         record["pieces"].append(dict(
             host=socket.gethostname(), process=os.getpid(), started=lock.now(),
             program=self.program.path, revision=self.program.revision,
@@ -89,7 +89,8 @@ class Piece:
             settings=record["settings"], base_checksum=safe.checksum_of(case.base),
             resumed=resumed,
             from_step=case.last_step() if resumed else -1,
-            screen_from=size_of(case.path(cases.SCREEN)), **self.job))
+            screen_from=os.path.getsize(screen) if os.path.exists(screen) else 0,
+            **self.job))
         return record
 
     def end(self, record, status, asked):
@@ -192,7 +193,3 @@ def wait_until_free(directory, seconds):
             if time.monotonic() > deadline:
                 raise
             time.sleep(0.2)
-
-
-def size_of(path):
-    return os.path.getsize(path) if os.path.exists(path) else 0

@@ -57,9 +57,6 @@ class Case:
         """case.json as a dictionary; empty when there is none."""
         return record_of(self.directory)
 
-    def pieces(self):
-        return self.record().get("pieces", [])
-
     def write_record(self, record):
         new = self.path(".%s.%d" % (RECORD, os.getpid()))
         with open(new, "w", encoding="utf-8") as stream:

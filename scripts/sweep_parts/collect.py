@@ -24,12 +24,10 @@ def titles_of(swept):
 
 def swept_titles(chosen):
     """{title: column} of what differs among the cases, in order."""
-    found = {}
-    for case in chosen:
-        for title, value in case.swept.items():
-            found.setdefault(title, []).append(value)
-    return titles_of([title for title, values in found.items()
-                      if len(set(values)) > 1 or len(values) < len(chosen)
+    found = safe.grouped((pair for case in chosen for pair in case.swept.items()),
+                         lambda pair: pair[0])
+    return titles_of([title for title, pairs in found.items()
+                      if len(set(pairs)) > 1 or len(pairs) < len(chosen)
                       or len(chosen) == 1])
 
 

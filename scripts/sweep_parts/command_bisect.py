@@ -75,5 +75,5 @@ def write_files(found, study, output, arguments):
         print(spread.report(found), end="")
     if arguments.figure:
         from study_parts import critical_figure
-        critical_figure.write(found, arguments.figure)
+        drawing.save(critical_figure.draw(found), arguments.figure, "bisect")
         print(arguments.figure)

@@ -53,7 +53,7 @@ def progress(case, task):
     """Of a case that is running: step, load, age of the last row, time left."""
     path = case.path("statistics.csv")
     rows = table.statistics_of(case.directory)
-    words = []
+    words = [] if rows else ["no step yet"]
     if rows:
         force = table.force_column(rows)
         words = ["step %d" % rows[-1].get("step", 0)]
@@ -61,8 +61,6 @@ def progress(case, task):
             if "displacement_mm" in rows[-1] else []
         words += ["%.4g N" % rows[-1].get(force, 0.)] if force else []
         words.append("last row %.0f s ago" % (time.time() - os.path.getmtime(path)))
-    else:
-        words.append("no step yet")
     if task and task.left not in ("", "INVALID", "NOT_SET"):
         words.append("%s left" % task.left)
     return [", ".join(words)]

@@ -93,7 +93,7 @@ def choice(cases, queued, study, with_failed):
 
 def is_hopeless(case, study):
     """Whether the program itself has ended it, and would again."""
-    piece = case.pieces()[-1]
+    piece = case.record()["pieces"][-1]
     return piece.get("exit_status") in (2, 3) and not piece.get("given_up") \
         and piece.get("checksum") == study.program.checksum \
         and piece.get("base_checksum") == safe.checksum_of(study.sweep.base) \

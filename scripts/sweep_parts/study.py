@@ -6,6 +6,7 @@ of scripts/sweep.py begin with.
     study.cases["h_6"].state()               ("complete", "")
 """
 import hashlib
+import itertools
 import json
 import os
 import sys
@@ -56,17 +57,15 @@ class Study:
         own = {name: [entry for entry, _ in self.sweep.runs[name].settings]
                + self.telling for name in self.sweep.runs}
         with ThreadPoolExecutor(AT_ONCE) as pool:
-            ids = dict(zip(names, pool.map(
-                lambda name: self.asked(name, settings[name]), names)))
+            ids = list(pool.map(lambda name: self.asked(name, settings[name]), names))
             telling = list(dict.fromkeys(entry for name in names for entry in own[name]))
-            self.left_out = {entry for entry, left_out in zip(telling, pool.map(
-                lambda entry: self.is_left_out(entry, settings, own), telling))
-                if left_out}
-            suffixes = dict(zip(names, pool.map(
-                lambda name: self.suffix(name, settings[name], own[name]), names)))
-        return {name: Case(name, ids[name] + suffixes[name], self.sweep.base,
-                           settings[name], self.sweep.runs[name].swept, self.output)
-                for name in names}
+            self.left_out = set(itertools.compress(telling, pool.map(
+                lambda entry: self.is_left_out(entry, settings, own), telling)))
+            suffixes = list(pool.map(
+                lambda name: self.suffix(name, settings[name], own[name]), names))
+        return {name: Case(name, found + suffix, self.sweep.base, settings[name],
+                           self.sweep.runs[name].swept, self.output)
+                for name, found, suffix in zip(names, ids, suffixes)}
 
     def asked(self, name, settings, full=False):
         """The id that the program has for settings; full: all but output counts."""
@@ -102,9 +101,8 @@ class Study:
         counted = ["%s=%s" % (entry, canonical(value)) for entry, value
                    in sorted(settings) if entry in own and entry in self.left_out
                    and self.matters(name, settings, entry)]
-        if not counted:
-            return ""
-        return "-" + hashlib.sha256("\n".join(counted).encode()).hexdigest()[:8]
+        digest = hashlib.sha256("\n".join(counted).encode()).hexdigest()
+        return "-" + digest[:8] if counted else ""
 
     def matters(self, name, settings, entry):
         """Whether an entry changes anything."""

@@ -6,8 +6,6 @@ import pathlib
 import textwrap
 
 import matplotlib
-from matplotlib.cm import ScalarMappable
-from matplotlib.colors import Normalize
 from matplotlib.figure import Figure
 
 from report_parts import crack_path, curves, pictures, vtu
@@ -86,8 +84,7 @@ def draw(runs, n_columns, title):
                         color=curves.INK if k == 0 else curves.GREY)
     bar = figure.add_axes([0.62 / size[0], 0.17 / size[1],
                            min(2.2, size[0] / 3.) / size[0], 0.1 / size[1]])
-    figure.colorbar(ScalarMappable(Normalize(0., 1.), pictures.COLORS), cax=bar,
-                    orientation="horizontal", ticks=[]).outline.set_visible(False)
+    pictures.color_bar(figure, bar, pictures.COLORS, (0., 1.), [])
     bar.text(-0.03, 0.5, "broken", transform=bar.transAxes, ha="right", va="center",
              fontsize=8, color=curves.GREY)
     bar.text(1.03, 0.5, "intact; phase field on the undeformed body",

@@ -81,7 +81,8 @@ def reference_curves(paths, runs, per_thickness):
         for name, points in groups.items():
             curve = ReferenceCurve((stem + " " + name).strip(), name, points)
             if (points[0].unit == "force_N_per_mm") != per_thickness:
-                t = thickness_for(name, runs)
+                # of the runs that it belongs to, or of the first one
+                t = (runs_for(name, runs) or runs)[0].thickness
                 if t is None:
                     raise StudyError(
                         "%s: no run tells its thickness, which its forces need" % path)
@@ -92,11 +93,6 @@ def reference_curves(paths, runs, per_thickness):
 
 def runs_for(name, runs):
     return [run for run in runs if references.name_for(run.name, (name,))]
-
-
-def thickness_for(name, runs):
-    """Of the runs that a reference belongs to, or of the first one."""
-    return (runs_for(name, runs) or runs)[0].thickness
 
 
 def color_for(name, runs, styles):

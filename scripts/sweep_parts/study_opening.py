@@ -61,9 +61,8 @@ def draw(lines, exact):
                       label="computed" if len(lines) == 1
                       else "computed, line %d" % number)
         if exact:
-            low = min(x.min() for x, _ in lines.values())
-            high = max(x.max() for x, _ in lines.values())
-            x = np.linspace(low, high, 2001)
+            every = np.concatenate([x for x, _ in lines.values()])
+            x = np.linspace(every.min(), every.max(), 2001)
             axes.plot(x, exact_values(exact, x), "-", lw=1.4, color=curves.INK,
                       label="exact")
         axes.axhline(0., color=curves.GREY, lw=0.7)

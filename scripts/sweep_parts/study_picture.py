@@ -4,10 +4,8 @@ import os
 import pathlib
 
 import matplotlib
-import matplotlib.ticker
 import numpy as np
-from matplotlib.cm import ScalarMappable
-from matplotlib.colors import Normalize
+from matplotlib.ticker import MaxNLocator
 
 from report_parts import curves, pictures, vtu
 
@@ -15,8 +13,7 @@ from . import studies
 from .study_cracks import small_png
 
 AXES = "xyz"
-OTHER_COLORS = matplotlib.colormaps["viridis"] \
-    if hasattr(matplotlib, "colormaps") else matplotlib.cm.get_cmap("viridis")
+OTHER_COLORS = "viridis"
 UNITS = {"displacement": "mm", "pressure": "MPa", "stress": "MPa",
          "strain_energy_density": "MPa"}
 BAR = 0.42  # inches, below the picture
@@ -91,11 +88,7 @@ def add_bar(figure, limits, label):
     body.set_position([0., BAR / (height + BAR), 1., height / (height + BAR)])
     bar = figure.add_axes([0.05, 0.6 * BAR / (height + BAR), 0.45,
                            0.2 * BAR / (height + BAR)])
-    drawn = figure.colorbar(ScalarMappable(Normalize(*limits), OTHER_COLORS),
-                            cax=bar, orientation="horizontal")
-    drawn.outline.set_visible(False)
-    drawn.locator = matplotlib.ticker.MaxNLocator(3)
-    drawn.update_ticks()
+    pictures.color_bar(figure, bar, OTHER_COLORS, limits, MaxNLocator(3))
     bar.tick_params(labelsize=6.5, length=2, color=curves.GREY)
     figure.text(0.53, 0.6 * BAR / (height + BAR), label, fontsize=7,
                 color=curves.INK)
