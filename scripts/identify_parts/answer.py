@@ -116,12 +116,9 @@ def text_of(fit, checked, interval, ranges):
     how = "with the constants given" if fit.confidence is None else \
         "least squares of the %s errors" % ("relative" if fit.relative
                                             else "absolute")
-    lines = ["%s, %s" % (fit.law.name, how)]
-    lines += list(constant_lines(fit)) + list(test_lines(fit))
-    if fit.bulk is not None:
-        lines += list(bulk_lines(fit))
-    lines += list(stability_lines(checked, interval))
-    lines += list(range_lines(ranges))
+    lines = ["%s, %s" % (fit.law.name, how), *constant_lines(fit), *test_lines(fit)]
+    lines += [] if fit.bulk is None else bulk_lines(fit)
+    lines += [*stability_lines(checked, interval), *range_lines(ranges)]
     lines += ["warning: " + text for text in warnings_of(fit, checked)]
     return "\n".join(lines + [""] + parameter_lines(fit, interval)) + "\n"
 

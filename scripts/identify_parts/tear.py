@@ -155,14 +155,12 @@ def table_lines(points):
 def text_of(specimen, onset, points, mean_from):
     """What is printed."""
     lines = ["Pure shear, %g x %g x %g mm; G in N/mm"
-             % (specimen.width, specimen.height, specimen.thickness)]
-    lines.append("Standing cracks are evaluated at %.5g mm, stretch %.4g"
-                 % (onset, 1. + onset / specimen.height))
-    lines += list(table_lines(points))
-    for method, name, mean, low, high, number in means_of(points, specimen, mean_from):
+             % (specimen.width, specimen.height, specimen.thickness),
+             "Standing cracks are evaluated at %.5g mm, stretch %.4g"
+             % (onset, 1. + onset / specimen.height), *table_lines(points)]
+    for method, name, *numbers in means_of(points, specimen, mean_from):
         lines.append("mean by %s of %s, growth beyond %g mm: %.4g N/mm "
-                     "(%.4g to %.4g, %d values)"
-                     % (method, name, mean_from, mean, low, high, number))
+                     "(%.4g to %.4g, %d values)" % (method, name, mean_from, *numbers))
     return "\n".join(lines) + "\n"
 
 

@@ -106,13 +106,9 @@ def number_in(text, place, least=None, above=None):
         value = float(text)
     except ValueError:
         value = math.nan
-    allowed = "a number"
-    if abs(value) > LARGEST:
-        allowed += " of at most %g" % LARGEST
-    if least is not None:
-        allowed += " of at least %g" % least
-    if above is not None:
-        allowed += " above %g" % above
+    allowed = "a number" + (" of at most %g" % LARGEST if abs(value) > LARGEST else "") \
+        + ("" if least is None else " of at least %g" % least) \
+        + ("" if above is None else " above %g" % above)
     if not abs(value) <= LARGEST or (least is not None and value < least) \
             or (above is not None and value <= above):
         raise InputError("%s: expected %s, found '%s'%s" % (

@@ -64,11 +64,10 @@ def use_one_with(modules):
     """The same for other modules, whose Debian packages are named after them; one
     line and exit status 2 where there is none."""
     missing = missing_here(modules)
-    if not missing:
-        return
-    use_another(modules)
-    sys.stderr.write("%s: no Python with %s was found; on Debian: apt-get install %s, "
-                     "or name one in MIXED_CRACKS_PYTHON\n"
-                     % (os.path.basename(sys.argv[0]), ", ".join(modules),
-                        " ".join("python3-" + name for name in missing)))
-    sys.exit(2)
+    if missing:
+        use_another(modules)
+        sys.stderr.write("%s: no Python with %s was found; on Debian: apt-get install "
+                         "%s, or name one in MIXED_CRACKS_PYTHON\n"
+                         % (os.path.basename(sys.argv[0]), ", ".join(modules),
+                            " ".join("python3-" + name for name in missing)))
+        sys.exit(2)

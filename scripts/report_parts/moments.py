@@ -53,9 +53,8 @@ def chosen_force(results, component=None):
     values, label = table[largest], "Force in %s (N)" % names[largest]
     if not np.isfinite(values).any():
         return values, label
-    if abs(np.nanmin(values)) > np.nanmax(values):
-        return -values, label.replace("Force", "Compressive force")
-    return values, label
+    return (-values, label.replace("Force", "Compressive force")) \
+        if abs(np.nanmin(values)) > np.nanmax(values) else (values, label)
 
 
 def separation_threshold(results):

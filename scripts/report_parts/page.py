@@ -285,11 +285,9 @@ def body_section(results, drawn):
 
 
 def cells_at(results, time, fields):
-    row_number = step_at(results, time)
-    cells = results.column("cells")
-    if row_number is None or cells is None:
-        return words.number(len(fields.faces)) + " drawn"
-    return words.number(cells[row_number])
+    row_number, cells = step_at(results, time), results.column("cells")
+    return words.number(len(fields.faces)) + " drawn" \
+        if row_number is None or cells is None else words.number(cells[row_number])
 
 
 def step_at(results, time):
@@ -303,11 +301,9 @@ def step_at(results, time):
 
 def place(results, time):
     """Where on the curve a moment lies."""
-    index = step_at(results, time)
-    x = results.column("displacement_mm")
-    if index is None or x is None:
-        return "t = " + words.number(time, "s")
-    return words.number(x[index], "mm")
+    index, x = step_at(results, time), results.column("displacement_mm")
+    return "t = " + words.number(time, "s") if index is None or x is None \
+        else words.number(x[index], "mm")
 
 
 def caption(results, force, time, text):

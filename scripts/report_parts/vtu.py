@@ -88,8 +88,7 @@ def decoded(element, header_type, compressed, order):
     if not text:
         return np.zeros(0, number)
     if not compressed:
-        raw = base64.b64decode(text)
-        return np.frombuffer(raw[size:], number)
+        return np.frombuffer(base64.b64decode(text)[size:], number)
     # header: number of blocks, block size, last block size, compressed sizes
     n_blocks = int(np.frombuffer(base64.b64decode(text[:encoded_length(size)])[:size],
                                  letter)[0])

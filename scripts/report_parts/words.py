@@ -73,12 +73,8 @@ def geometry_in_words(results):
 def case_in_words(results):
     """Sentences on geometry, model and material; what is not known is left
     out."""
-    sentences = []
-    geometry = geometry_in_words(results)
-    if geometry:
-        sentences.append(geometry)
-    elif isinstance(results.summary.get("case"), str):
-        sentences.append(results.summary["case"])
+    geometry = geometry_in_words(results) or results.summary.get("case")
+    sentences = [geometry] if geometry else []
     model, left_out = [], set()
     if results.parameter("Model/Strains") != "finite":
         left_out |= {"Strains", "Hyperelastic law"}

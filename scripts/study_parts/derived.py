@@ -62,7 +62,7 @@ class Source:
 
     def varied(self, name, variation):
         """[(entry, value)] of a run with those of a Variation."""
-        return list(dict(self.runs[name] + list(variation.settings)).items())
+        return sweep_file.merged(self.runs[name] + list(variation.settings))
 
     def allowed(self, name, program, entries, share=0.1):
         """The variations of a run that the program takes; says why it refuses others,

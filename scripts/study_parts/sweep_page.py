@@ -40,9 +40,8 @@ def name_cell(study, case):
     """The name: leads to the page of the case, or to its directory."""
     if os.path.isfile(path_of_page(study, case)):
         return link(case.name, FOLDER, case.name + ".html")
-    if os.path.isdir(case.directory):
-        return link(case.name, os.path.relpath(case.directory, study.output))
-    return page.escaped(case.name)
+    return link(case.name, os.path.relpath(case.directory, study.output)) \
+        if os.path.isdir(case.directory) else page.escaped(case.name)
 
 
 def state_cell(case, row):

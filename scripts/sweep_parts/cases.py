@@ -147,9 +147,8 @@ class Case:
 
 def record_of(directory):
     record = safe.read_json(os.path.join(directory, RECORD))
-    if not isinstance(record, dict) or not isinstance(record.get("pieces", []), list):
-        return {}
-    return record
+    return record if isinstance(record, dict) \
+        and isinstance(record.get("pieces", []), list) else {}
 
 
 def state_of(record, has_checkpoint):

@@ -6,6 +6,8 @@ import shlex
 import signal
 import sys
 
+from report_parts import safe
+
 from . import collect, resources, runner
 from .progress import Progress
 
@@ -60,11 +62,9 @@ def run_those_left(chosen, launch, arguments):
 
 def missing_of(chosen):
     """The cases that are not complete, each id once."""
-    left = {}
-    for case in chosen:
-        if not case.is_complete():
-            left.setdefault(case.id, case)
-    return list(left.values())
+    left = safe.grouped((case for case in chosen if not case.is_complete()),
+                        lambda case: case.id)
+    return [own[0] for own in left.values()]
 
 
 def write_table(study, chosen, statuses, whole):

@@ -4,6 +4,7 @@ that writes the table."""
 import collections
 import contextlib
 import os
+import pathlib
 import re
 import sys
 import uuid
@@ -102,8 +103,7 @@ def is_hopeless(case, study):
 
 def freeze(study, cases, given):
     """The Manifest of what is submitted; nothing is written."""
-    stem = re.sub(r"[^A-Za-z0-9_.-]", "_", os.path.splitext(
-        os.path.basename(study.sweep.path))[0])
+    stem = re.sub(r"[^A-Za-z0-9_.-]", "_", pathlib.Path(study.sweep.path).stem)
     token = "%s.%s" % (stem, uuid.uuid4().hex[:8])
     names = [case.name for case in cases]
     together = given["cases per job"]

@@ -9,6 +9,7 @@ their own, OUTPUT/uncertainty.sweep; OUTPUT/uncertainty.md has the tables, and
 OUTPUT/uncertainty.svg the curves and the bundle of paths."""
 import os
 
+from report_parts import safe
 from study_parts import derived, drawing, here, variations
 from study_parts.errors import StudyError
 
@@ -62,8 +63,7 @@ def write_files(study, several, output, figure):
         for v, run in zip(several, of_variations)])
     text = uncertainty.markdown(found)
     path = os.path.join(output, "uncertainty.md")
-    with open(path, "w", encoding="utf-8") as stream:
-        stream.write(text)
+    safe.write_whole(path, text)
     print(text)
     print(path)
     figure = figure or os.path.join(output, "uncertainty.svg")

@@ -33,9 +33,9 @@ def holder_of(path):
     """In words, from the contents of a lock file."""
     known = dict(line.strip().partition(" ")[::2]
                  for line in (safe.read_text(path) or "").splitlines())
-    if not all(known.get(word) for word in ("host", "process", "since")):
-        return "another process"
-    return "process %(process)s on host %(host)s since %(since)s" % known
+    return "process %(process)s on host %(host)s since %(since)s" % known \
+        if all(known.get(word) for word in ("host", "process", "since")) \
+        else "another process"
 
 
 class Lock:

@@ -60,9 +60,7 @@ def in_words(seconds):
     if seconds < 90.:
         return "%d s" % max(round(seconds), 1)
     minutes = round(seconds / 60.)
-    if minutes < 90:
-        return "%d min" % minutes
-    return "%d h %d min" % divmod(minutes, 60)
+    return "%d min" % minutes if minutes < 90 else "%d h %d min" % divmod(minutes, 60)
 
 
 class Progress:

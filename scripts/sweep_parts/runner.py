@@ -17,9 +17,7 @@ class Launch:
 
     def __init__(self, program, launcher, ranks, job=None):
         self.program, self.ranks, self.job = program, ranks, job or {}
-        self.launcher = list(launcher)
-        if self.launcher:
-            self.launcher += ["-n", str(ranks)]
+        self.launcher = [*launcher, "-n", str(ranks)] if launcher else []
 
     def command(self, case, resume):
         return self.launcher + [

@@ -134,9 +134,8 @@ def own_job():
 
 
 def own_id():
-    if "SLURM_ARRAY_JOB_ID" in os.environ:
-        return "%(SLURM_ARRAY_JOB_ID)s_%(SLURM_ARRAY_TASK_ID)s" % os.environ
-    return os.environ["SLURM_JOB_ID"]
+    return "%(SLURM_ARRAY_JOB_ID)s_%(SLURM_ARRAY_TASK_ID)s" % os.environ \
+        if "SLURM_ARRAY_JOB_ID" in os.environ else os.environ["SLURM_JOB_ID"]
 
 
 def requeue_own():

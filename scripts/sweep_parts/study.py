@@ -9,6 +9,7 @@ import hashlib
 import itertools
 import json
 import os
+import pathlib
 import sys
 from concurrent.futures import ThreadPoolExecutor
 
@@ -33,10 +34,8 @@ class Study:
         self.sweep = Sweep(path)
         require_allowed(extra)
         self.extra = list(extra)
-        if output is None:
-            output = os.path.join("results", os.path.splitext(
-                os.path.basename(path))[0])
-        self.output = os.path.abspath(output)
+        self.output = os.path.abspath(
+            os.path.join("results", pathlib.Path(path).stem) if output is None else output)
         self.program = program if isinstance(program, Program) else Program(program)
         # what goes on from a checkpoint keeps its id
         own, others = split_settings(extra)
@@ -148,18 +147,15 @@ class Study:
         held = lock.Lock(self.output, wait=wait)
         try:
             self.require_owner()  # somebody may have been faster
-            self.note_owner()
+            if not self.owner():
+                safe.write_whole(os.path.join(self.output, OWNER), json.dumps(
+                    {"file": os.path.abspath(self.sweep.path)}) + "\n")
         except BaseException:
             held.release()
             raise
         if held.warning:
             print("sweep.py: warning: %s" % held.warning, file=sys.stderr)
         return held
-
-    def note_owner(self):
-        if not self.owner():
-            safe.write_whole(os.path.join(self.output, OWNER), json.dumps(
-                {"file": os.path.abspath(self.sweep.path)}) + "\n")
 
 
 def opened(arguments, names=None):

@@ -24,9 +24,8 @@ def moment_of(directory, time):
     collection = vtu.read_collection(directory)
     if not collection:
         raise studies.StudyError("'%s' holds no fields as VTU" % directory)
-    if time is None:
-        return collection[-1]
-    return min(collection, key=lambda entry: abs(entry[0] - time))
+    return collection[-1] if time is None else min(
+        collection, key=lambda entry: abs(entry[0] - time))
 
 
 def values_of(fields, name, path):
