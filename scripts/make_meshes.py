@@ -10,6 +10,7 @@ doubled along slits, a place for every node, and names for pieces of the
 boundary. Meshes in 3-d are made of nested cubes that are drawn out to spheres.
 """
 
+import functools
 import itertools
 import math
 import os
@@ -19,13 +20,9 @@ import sys
 def rings_of(xs, ys, opened):
     """The nodes of every cell as (column, row, side); side is -1 or 1 where
     opened(x, y) says that the node is doubled, and 0 elsewhere."""
-    rings = []
-    for i in range(len(xs) - 1):
-        for j in range(len(ys) - 1):
-            corners = [(i, j), (i + 1, j), (i + 1, j + 1), (i, j + 1)]
-            rings.append([(a, b, (1 if a == i else -1)
-                           if opened(xs[a], ys[b]) else 0) for a, b in corners])
-    return rings
+    return [[(a, b, (1 if a == i else -1) if opened(xs[a], ys[b]) else 0)
+             for a, b in ((i, j), (i + 1, j), (i + 1, j + 1), (i, j + 1))]
+            for i in range(len(xs) - 1) for j in range(len(ys) - 1)]
 
 
 def boundary_edges(rings):
@@ -51,9 +48,7 @@ def write_mesh(path, xs, ys, boundary_of, names, place, opened=None):
         y = 0.5 * (ys[a[1]] + ys[b[1]])
         tag = names.index(boundary_of(x, y, a[2] or b[2])) + 1
         elements.append((1, tag, (number[a], number[b])))
-    body = len(names) + 1
-    for ring in rings:
-        elements.append((3, body, tuple(number[n] for n in ring)))
+    elements += [(3, len(names) + 1, tuple(number[n] for n in ring)) for ring in rings]
     write_gmsh(path, [(1, name) for name in names] + [(2, "body")],
                [place(xs[node[0]], ys[node[1]], node[2]) + (0.,)
                 for node in nodes], elements)
@@ -111,6 +106,18 @@ def bending_beam(path):
                ["bottom", "right", "top", "left", "notch", "load"], place, opened)
 
 
+def numbered(place):
+    """(node, points): node(corner, layer) is the number of a node, from 1 on, which is
+    at place(corner, layer); points are these places."""
+    points = []
+
+    @functools.lru_cache(maxsize=None)
+    def node(corner, layer):
+        points.append(place(corner, layer))
+        return len(points)
+    return node, points
+
+
 def sides_of_cube(n):
     """(normal's axis, its sign, quadrilateral) of the n * n faces of each side;
     corners are integers from 0 to n, counterclockwise from outside."""
@@ -134,35 +141,25 @@ def block_with_inclusion(path):
     def place(corner, layer):
         """Layer 0: the innermost cube; n_inside: the sphere; last: the block."""
         cube = [2. * i / n - 1. for i in corner]
+        if not any(i in (0, n) for i in corner):
+            return tuple(core * x for x in cube)
         to_sphere = radius / sum(x * x for x in cube) ** 0.5
-        if layer <= n_inside:
-            share, ends = layer / n_inside, (core, to_sphere)
-        else:
-            share, ends = (layer - n_inside) / n_outside, (to_sphere, half)
+        share, ends = (layer / n_inside, (core, to_sphere)) if layer <= n_inside \
+            else ((layer - n_inside) / n_outside, (to_sphere, half))
         return tuple(x * ((1. - share) * ends[0] + share * ends[1]) for x in cube)
 
-    nodes, points = {}, []
-
-    def node(corner, layer):
-        if (corner, layer) not in nodes:
-            on_cube = any(i in (0, n) for i in corner)
-            points.append(place(corner, layer) if on_cube else
-                          tuple(core * (2. * i / n - 1.) for i in corner))
-            nodes[corner, layer] = len(points)
-        return nodes[corner, layer]
-
-    elements, unit = [], ((0, 0, 0), (1, 0, 0), (1, 1, 0), (0, 1, 0))
-    for axis, end, quad in sides_of_cube(n):
-        elements.append((3, 2 * axis + (end > 0) + 1,
-                         tuple(node(corner, n_layers) for corner in quad)))
-    for corner in itertools.product(range(n), repeat=3):
-        elements.append((5, 8, tuple(
-            node(tuple(c + s for c, s in zip(corner, (x, y, z + up))), 0)
-            for up in (0, 1) for x, y, z in unit)))
-    for layer in range(n_layers):
-        for _, _, quad in sides_of_cube(n):
-            elements.append((5, 8 if layer < n_inside else 7, tuple(
-                node(corner, layer + up) for up in (0, 1) for corner in quad)))
+    node, points = numbered(place)
+    unit = ((0, 0, 0), (1, 0, 0), (1, 1, 0), (0, 1, 0))
+    elements = [(3, 2 * axis + (end > 0) + 1,
+                 tuple(node(corner, n_layers) for corner in quad))
+                for axis, end, quad in sides_of_cube(n)]
+    elements += [(5, 8, tuple(
+        node(tuple(c + s for c, s in zip(corner, (x, y, z + up))), 0)
+        for up in (0, 1) for x, y, z in unit))
+        for corner in itertools.product(range(n), repeat=3)]
+    elements += [(5, 8 if layer < n_inside else 7, tuple(
+        node(corner, layer + up) for up in (0, 1) for corner in quad))
+        for layer in range(n_layers) for _, _, quad in sides_of_cube(n)]
     write_gmsh(path, [(2, name) for name in ("left", "right", "bottom", "top",
                                              "back", "front")]
                + [(3, "matrix"), (3, "inclusion")], points, elements)
@@ -188,17 +185,13 @@ def thick_sphere(path):
     """An eighth of a spherical shell, radii 1 and 2 mm: the three far sides of a
     cube of n^3, drawn out to spheres, in layers."""
     n, n_layers = 2, 2
-    nodes, points = {}, []
 
-    def node(corner, layer):
-        if (corner, layer) not in nodes:
-            angles = [math.tan(0.25 * math.pi * i / n) for i in corner]
-            size = sum(x * x for x in angles) ** 0.5
-            radius = 1. + layer / n_layers
-            points.append(tuple(radius * x / size for x in angles))
-            nodes[corner, layer] = len(points)
-        return nodes[corner, layer]
+    def place(corner, layer):
+        angles = [math.tan(0.25 * math.pi * i / n) for i in corner]
+        size = sum(x * x for x in angles) ** 0.5
+        return tuple((1. + layer / n_layers) * x / size for x in angles)
 
+    node, points = numbered(place)
     elements = []
     quads = [quad for _, end, quad in sides_of_cube(n) if end]
     for quad in quads:
@@ -225,10 +218,8 @@ def main():
     here = os.path.dirname(os.path.abspath(__file__))
     where = sys.argv[1] if len(sys.argv) > 1 else os.path.join(
         here, "..", "meshes")
-    bending_beam(os.path.join(where, "bending_beam.msh"))
-    block_with_inclusion(os.path.join(where, "block_with_inclusion.msh"))
-    thick_cylinder(os.path.join(where, "thick_cylinder.msh"))
-    thick_sphere(os.path.join(where, "thick_sphere.msh"))
+    for write in (bending_beam, block_with_inclusion, thick_cylinder, thick_sphere):
+        write(os.path.join(where, write.__name__ + ".msh"))
 
 
 if __name__ == "__main__":

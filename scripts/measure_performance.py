@@ -38,9 +38,7 @@ def run(executable, ranks, refinements, boxes):
                            OMPI_ALLOW_RUN_AS_ROOT_CONFIRM="1")
         subprocess.run(command, check=True, env=environment,
                        stdout=subprocess.DEVNULL)
-        with open(pathlib.Path(directory) / "summary.json",
-                  encoding="utf-8") as file:
-            return json.load(file)
+        return json.loads((pathlib.Path(directory) / "summary.json").read_bytes())
 
 
 def main():

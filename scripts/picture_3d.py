@@ -13,12 +13,12 @@ Needs matplotlib and numpy (Debian: python3-matplotlib), and no display.
 Exit status: 0; 2 for wrong input or usage.
 """
 import argparse
-import io
 import os
+import pathlib
 import sys
 
 sys.path.insert(0, os.path.dirname(os.path.realpath(__file__)))
-from report_parts import interpreter  # noqa: E402
+from report_parts import interpreter, safe  # noqa: E402
 
 HEIGHT = 2.1  # of a panel, inches
 DPI = 120
@@ -87,23 +87,19 @@ def panels(moments, axes_names):
 def draw(all_panels):
     from matplotlib.figure import Figure
     from matplotlib.textpath import TextPath
-    from report_parts import curves
+    from report_parts import curves, pictures
     widths = [HEIGHT * (high - low)[0] / (high - low)[1]
               for (low, high), _, _ in all_panels]
     # a section of a slender body is narrower than what is said below it
     places = [max(width, TextPath((0., 0.), caption, size=CAPTION).get_extents().width / 72.)
               for width, (_, _, caption) in zip(widths, all_panels)]
     total, height = sum(places) + 0.15 * len(places), HEIGHT + 0.25
-    figure = Figure(figsize=(total, height), dpi=DPI)
-    figure.set_facecolor("white")
+    figure = Figure(figsize=(total, height), dpi=DPI, facecolor="white")
     left = 0.05
-    for ((low, high), paint, caption), width, place in zip(all_panels, widths, places):
+    for (window, paint, caption), width, place in zip(all_panels, widths, places):
         axes = figure.add_axes([left / total, 0.25 / height, width / total,
                                 HEIGHT / height])
-        axes.set_xlim(low[0], high[0])
-        axes.set_ylim(low[1], high[1])
-        axes.set_aspect("equal")
-        axes.axis("off")
+        pictures.show(axes, window)
         paint(axes)
         figure.text(left / total, 0.06 / height, caption, fontsize=CAPTION,
                     color=curves.GREY)
@@ -111,24 +107,20 @@ def draw(all_panels):
     return figure
 
 
+def write(arguments):
+    from report_parts import pictures
+    from sweep_parts import study_cracks
+    moments = chosen_fields(arguments.directory, arguments.steps)
+    png = pictures.png_of(draw(panels(moments, arguments.sections)), DPI)
+    pathlib.Path(arguments.output).write_bytes(study_cracks.small_png(png))
+    print(arguments.output)
+
+
 def main():
     arguments = read_arguments()
-    import matplotlib
-    matplotlib.use("Agg")
     from report_parts import vtu
-    from sweep_parts import study_cracks
-    try:
-        moments = chosen_fields(arguments.directory, arguments.steps)
-        stream = io.BytesIO()
-        draw(panels(moments, arguments.sections)).savefig(
-            stream, format="png", dpi=DPI, metadata={"Software": None})
-        with open(arguments.output, "wb") as file:
-            file.write(study_cracks.small_png(stream.getvalue()))
-    except (vtu.FieldError, OSError) as error:
-        print("picture_3d.py: %s" % error, file=sys.stderr)
-        return 2
-    print(arguments.output)
-    return 0
+    return safe.ended("picture_3d.py", vtu.FieldError, "the run cannot be drawn", write,
+                      arguments)
 
 
 if __name__ == "__main__":

@@ -18,51 +18,46 @@ Needs matplotlib and numpy (Debian: python3-matplotlib). Works while the run is
 going on and after one that failed; needs no display.
 """
 import argparse
+import contextlib
 import os
 import sys
 
 sys.path.insert(0, os.path.dirname(os.path.realpath(__file__)))
-from report_parts import interpreter  # noqa: E402
+from report_parts import interpreter, options, safe  # noqa: E402
 
 
 LIST = "run_files.txt"  # what the run has written; --overwrite removes that
+PAGE, VIDEO = "report.html", "animation.webp"
 
 
 def is_ours(target):
     """Whether there is no page yet, or one that this script has written."""
-    try:
-        with open(target, encoding="utf-8", errors="replace") as stream:
-            return " – mixed-cracks</title>" in stream.read(4000)
-    except OSError:
-        return True
+    text = safe.read_text(target)
+    return text is None or " – mixed-cracks</title>" in text[:4000]
 
 
-def note_in_list(directory, name):
-    """Have a file removed with the run, where the run keeps a list."""
-    path = os.path.join(directory, LIST)
-    try:
-        with open(path, encoding="utf-8", errors="replace") as stream:
-            lines = stream.read().splitlines()
-        if lines and lines[0].startswith("# written by a run of mixed-cracks") \
-                and name not in lines:
-            with open(path, "a", encoding="utf-8") as stream:
-                stream.write(name + "\n")
-    except OSError:
-        pass  # no list, or one that is not ours to change
+def note_in_list(directory, target):
+    """Have a file of the usual name removed with the run, where the run keeps a list."""
+    path, name = os.path.join(directory, LIST), os.path.basename(target)
+    if target not in (os.path.join(directory, usual) for usual in (PAGE, VIDEO)):
+        return
+    lines = (safe.read_text(path) or "").splitlines()
+    if lines and lines[0].startswith("# written by a run of mixed-cracks") \
+            and name not in lines:
+        # the list may not be ours to change
+        with contextlib.suppress(OSError), open(path, "a", encoding="utf-8") as stream:
+            stream.write(name + "\n")
 
 
 def read_arguments():
     parser = argparse.ArgumentParser(
         description="Write RESULT_DIR/report.html, one page about a run.")
-    parser.add_argument("directory", metavar="RESULT_DIR",
-                        help="output directory of a run of mixed-cracks")
-    parser.add_argument("--output", metavar="FILE",
-                        help="write the page to FILE instead")
-    parser.add_argument("--animate", nargs="?", const="", metavar="FILE.webp|DIR",
-                        help="a video of the run instead of the page, or a series of "
-                        "PNG in DIR (RESULT_DIR/animation.webp)")
-    parser.add_argument("--frames-per-second", type=float, default=5., metavar="N",
-                        help="of the video (5)")
+    options.add(parser, (
+        ("directory", "RESULT_DIR", "output directory of a run of mixed-cracks"),
+        ("--output", "FILE", "write the page to FILE instead"),
+        ("--animate", "FILE.webp|DIR", "a video of the run instead of the page, or a "
+         "series of PNG in DIR (RESULT_DIR/animation.webp)", {"nargs": "?", "const": ""}),
+        ("--frames-per-second", "N", "of the video (5)", {"type": float, "default": 5.})))
     arguments = parser.parse_args()
     if not os.path.isdir(arguments.directory):
         sys.exit("report.py: there is no directory '%s'." % arguments.directory)
@@ -90,7 +85,7 @@ def target_in(directory, name):
 def write_page(directory, output):
     """Returns its name."""
     from report_parts import page
-    target = output or target_in(directory, "report.html")
+    target = output or target_in(directory, PAGE)
     if not output and not is_ours(target):
         sys.exit("report.py: '%s' is no page of this script and is left as it is; "
                  "name another file with --output." % target)
@@ -98,8 +93,7 @@ def write_page(directory, output):
     # the old page stays until the new one is whole
     with open(target + ".new", "w", encoding="utf-8", errors="replace") as stream:
         stream.write(text)
-    if target == os.path.join(directory, "report.html"):
-        note_in_list(directory, "report.html")
+    note_in_list(directory, target)
     os.replace(target + ".new", target)
     return target
 
@@ -107,33 +101,27 @@ def write_page(directory, output):
 def write_video(directory, output, per_second):
     """Returns its name."""
     from report_parts import animation, results
-    target = output or target_in(directory, "animation.webp")
+    target = output or target_in(directory, VIDEO)
     try:
         animation.write(results.Results(directory), target, per_second)
     except animation.AnimationError as error:
         sys.exit("report.py: %s." % error)
-    if target == os.path.join(directory, "animation.webp"):
-        note_in_list(directory, "animation.webp")
+    note_in_list(directory, target)
     return target
 
 
 def main():
     arguments = read_arguments()
-    import matplotlib
-    matplotlib.use("Agg")
     try:
-        if arguments.animate is None:
-            target = write_page(arguments.directory, arguments.output)
-        else:
-            target = write_video(arguments.directory, arguments.animate,
-                                 arguments.frames_per_second)
+        target = write_page(arguments.directory, arguments.output) \
+            if arguments.animate is None else write_video(
+                arguments.directory, arguments.animate, arguments.frames_per_second)
     except OSError as error:
         sys.exit("report.py: %s" % error)
     except Exception as error:  # whatever the files hold, no trace of the inside
-        sys.exit("report.py: the %s of '%s' cannot be made (%s: %s)."
+        sys.exit("report.py: the %s of '%s' cannot be made (%s)."
                  % ("page" if arguments.animate is None else "video",
-                    arguments.directory, type(error).__name__,
-                    " ".join(str(error).split())[:300]))
+                    arguments.directory, safe.in_words(error)))
     print(target)
 
 

@@ -37,20 +37,12 @@ Exit status: 0; 2 for wrong input or usage.
 """
 import argparse
 import os
+import pathlib
 import sys
 
 sys.path.insert(0, os.path.dirname(os.path.realpath(__file__)))
-from report_parts import interpreter  # noqa: E402
-
-
-KINDS = (("curves", "force over displacement of all runs"),
-         ("cracks", "phase field at the end of every run"),
-         ("compare", "peaks compared with reference values"),
-         ("paths", "distance between the crack paths of two runs"),
-         ("picture", "one field of a run"),
-         ("opening", "opening along the lines of a run"))
-SUFFIXES = {"curves": (".svg", ".png"), "cracks": (".png",), "picture": (".png",),
-            "opening": (".svg", ".png")}
+from report_parts import interpreter, options, safe  # noqa: E402
+from report_parts.errors import InputError  # noqa: E402
 
 
 def deformation(text):
@@ -58,57 +50,47 @@ def deformation(text):
     return text if text == "auto" else float(text)
 
 
-def add_sweep_arguments(parser, kind):
-    parser.add_argument("directory", metavar="SWEEP_DIR",
-                        help="directory that sweep.py wrote")
-    if kind == "compare":
-        parser.add_argument("reference", metavar="REFERENCE.csv")
-    parser.add_argument("--output", metavar="FILE", required=kind != "compare")
-    parser.add_argument("--only", nargs="+", metavar="NAME",
-                        help="these runs only; patterns are allowed")
-    if kind != "compare":
-        parser.add_argument("--title", default="")
-    if kind == "curves":
-        parser.add_argument("--per-thickness", action="store_true",
-                            help="force per mm of thickness")
-        parser.add_argument("--component", choices=("x", "y", "z"),
-                            help="this component of the force, also where others "
-                            "are as large")
-        parser.add_argument("--reference", nargs="+", default=[], metavar="CSV")
-    if kind == "cracks":
-        parser.add_argument("--columns", type=int, default=5, metavar="N")
-
-
-def add_run_arguments(parser, kind):
-    parser.add_argument("directory", metavar="RUN_DIR")
-    if kind == "paths":
-        parser.add_argument("other", metavar="OTHER_RUN_DIR")
-        return
-    parser.add_argument("--output", metavar="FILE", required=True)
-    if kind == "opening":
-        parser.add_argument("--exact", metavar="EXPRESSION",
-                            help="in x, as '2e-3*sqrt(1-x**2)'")
-        return
-    parser.add_argument("--field", default="phase_field", metavar="NAME")
-    parser.add_argument("--time", type=float, metavar="SECONDS")
-    parser.add_argument("--deformed", nargs="?", const="auto", type=deformation,
-                        metavar="FACTOR", help="by how much; without a number, so "
-                        "that it can be seen")
-    parser.add_argument("--window", nargs=4, type=float,
-                        metavar=("X0", "Y0", "X1", "Y1"))
-    parser.add_argument("--mesh", action="store_true", help="with its cells")
-    parser.add_argument("--pixels", type=int, default=480, metavar="N",
-                        help="longer side of the picture")
+SWEEP_DIR = ("directory", "SWEEP_DIR", "directory that sweep.py wrote")
+RUN_DIR = ("directory", "RUN_DIR", None)
+OUTPUT = ("--output", "FILE", None, {"required": True})
+ONLY = ("--only", "NAME", "these runs only; patterns are allowed", {"nargs": "+"})
+TITLE = ("--title", "TITLE", None, {"default": ""})
+KINDS = {
+    "curves": ("force over displacement of all runs", (
+        SWEEP_DIR, OUTPUT, ONLY, TITLE,
+        ("--per-thickness", None, "force per mm of thickness"),
+        ("--component", "{x,y,z}", "this component of the force, also where others are "
+         "as large", {"choices": ("x", "y", "z")}),
+        ("--reference", "CSV", None, {"nargs": "+", "default": []}))),
+    "cracks": ("phase field at the end of every run", (
+        SWEEP_DIR, OUTPUT, ONLY, TITLE,
+        ("--columns", "N", None, {"type": int, "default": 5}))),
+    "compare": ("peaks compared with reference values", (
+        SWEEP_DIR, ("reference", "REFERENCE.csv", None), OUTPUT[:3], ONLY)),
+    "paths": ("distance between the crack paths of two runs", (
+        RUN_DIR, ("other", "OTHER_RUN_DIR", None))),
+    "picture": ("one field of a run", (
+        RUN_DIR, OUTPUT,
+        ("--field", "NAME", None, {"default": "phase_field"}),
+        ("--time", "SECONDS", None, {"type": float}),
+        ("--deformed", "FACTOR", "by how much; without a number, so that it can be seen",
+         {"nargs": "?", "const": "auto", "type": deformation}),
+        ("--window", ("X0", "Y0", "X1", "Y1"), None, {"nargs": 4, "type": float}),
+        ("--mesh", None, "with its cells"),
+        ("--pixels", "N", "longer side of the picture", {"type": int, "default": 480}))),
+    "opening": ("opening along the lines of a run", (
+        RUN_DIR, OUTPUT,
+        ("--exact", "EXPRESSION", "in x, as '2e-3*sqrt(1-x**2)'")))}
+SUFFIXES = {"curves": (".svg", ".png"), "cracks": (".png",), "picture": (".png",),
+            "opening": (".svg", ".png")}
 
 
 def read_arguments():
     parser = argparse.ArgumentParser(
         description="Figures and tables of the runs of a sweep.")
     kinds = parser.add_subparsers(dest="kind", metavar="KIND", required=True)
-    for kind, text in KINDS:
-        add = add_run_arguments if kind in ("paths", "picture", "opening") \
-            else add_sweep_arguments
-        add(kinds.add_parser(kind, help=text, description=text), kind)
+    for kind, (text, table) in KINDS.items():
+        options.add(kinds.add_parser(kind, help=text, description=text), table)
     arguments = parser.parse_args()
     suffixes = SUFFIXES.get(arguments.kind)
     if suffixes and not arguments.output.endswith(suffixes):
@@ -137,8 +119,7 @@ def table(runs, arguments):
     text = comparison_text.markdown(*comparison.compared(runs, [arguments.reference]))
     if arguments.output is None:
         return text
-    with open(arguments.output, "w", encoding="utf-8") as stream:
-        stream.write(text)
+    pathlib.Path(arguments.output).write_text(text, encoding="utf-8")
     return None
 
 
@@ -162,26 +143,15 @@ def written(arguments):
     return table(runs, arguments)
 
 
+def print_written(arguments):
+    text = written(arguments)
+    sys.stdout.write(arguments.output + "\n" if text is None else text)
+
+
 def main():
     arguments = read_arguments()
-    import matplotlib
-    matplotlib.use("Agg")
-    from sweep_parts import studies
-    try:
-        text = written(arguments)
-    except (studies.StudyError, OSError) as error:
-        print("study.py: %s" % error, file=sys.stderr)
-        return 2
-    except Exception as error:  # whatever the files hold, no trace of the inside
-        print("study.py: %s cannot be drawn (%s: %s)"
-              % (arguments.kind, type(error).__name__,
-                 " ".join(str(error).split())[:300]), file=sys.stderr)
-        return 2
-    if text is None:
-        print(arguments.output)
-    else:
-        sys.stdout.write(text)
-    return 0
+    return safe.ended("study.py", InputError, arguments.kind + " cannot be drawn",
+                      print_written, arguments)
 
 
 if __name__ == "__main__":

@@ -54,23 +54,26 @@ met; 2 for wrong input or usage; 5 when bisect or uncertainty was stopped and th
 command goes on; of task that of the case, see there. Needs Python's own library only.
 """
 import argparse
+import importlib
+import itertools
 import os
 import sys
 
 sys.path.insert(0, os.path.dirname(os.path.realpath(__file__)))
-from sweep_parts import (command_bisect, command_clean,  # noqa: E402
-                         command_collect, command_compare, command_plan,
-                         command_report, command_run, command_status, command_submit,
-                         command_task, command_uncertainty, lock, study)
-from sweep_parts.errors import SweepError  # noqa: E402
+from report_parts import options  # noqa: E402
+from report_parts.errors import InputError  # noqa: E402
+from sweep_parts import lock, study  # noqa: E402
 
-# Each module has HELP, add_options(parser), and run(arguments, study), which returns
-# the exit status.
-COMMANDS = {"plan": command_plan, "run": command_run, "submit": command_submit,
-            "task": command_task, "status": command_status,
-            "collect": command_collect, "clean": command_clean,
-            "compare": command_compare, "bisect": command_bisect,
-            "uncertainty": command_uncertainty, "report": command_report}
+# Each module, command_plan and so on, has HELP, OPTIONS (report_parts/options.py), and
+# run(arguments, study), which returns the exit status; with OPENS_ITSELF for study None.
+COMMANDS = {name: importlib.import_module("sweep_parts.command_" + name) for name in (
+    "plan", "run", "submit", "task", "status", "collect", "clean", "compare", "bisect",
+    "uncertainty", "report")}
+FOR_ALL = (
+    ("--output", "DIR", "directory of the results (results/NAME OF THE FILE)"),
+    ("--program", "PATH", "mixed-cracks (the one in build/, or on the PATH)"),
+    ("--only", "NAME", "these cases only; patterns as 'fine_*' are allowed",
+     {"nargs": "+"}))
 
 
 def read_arguments(words):
@@ -81,17 +84,10 @@ def read_arguments(words):
     for name, module in COMMANDS.items():
         one = commands.add_parser(name, help=module.HELP, description=module.HELP)
         one.add_argument("file", metavar="FILE")
-        one.add_argument("--output", metavar="DIR",
-                         help="directory of the results (results/NAME OF THE FILE)")
-        one.add_argument("--program", metavar="PATH",
-                         help="mixed-cracks (the one in build/, or on the PATH)")
-        one.add_argument("--only", nargs="+", metavar="NAME",
-                         help="these cases only; patterns as 'fine_*' are allowed")
-        module.add_options(one)
-    extra = []
-    if "--" in words:
-        extra = words[words.index("--") + 1:]
-        words = words[:words.index("--")]
+        options.add(one, FOR_ALL)
+        options.add(one, module.OPTIONS)
+    own = list(itertools.takewhile(lambda word: word != "--", words))
+    extra, words = words[len(own) + 1:], own
     if words and words[0] not in COMMANDS and words[0] not in ("-h", "--help"):
         if words[0].isalpha() and not os.path.exists(words[0]):
             parser.error("'%s' is neither a command (%s) nor a file"
@@ -111,18 +107,11 @@ def main():
     arguments = read_arguments(sys.argv[1:])
     module = COMMANDS[arguments.command]
     try:
-        return module.run(arguments, opened(module, arguments))
-    except (SweepError, lock.InUse, OSError) as error:
+        return module.run(arguments, None if hasattr(module, "OPENS_ITSELF")
+                          else study.opened(arguments))
+    except (InputError, lock.InUse, OSError) as error:
         print("sweep.py: %s" % error, file=sys.stderr)
         return getattr(error, "exit_status", 2)
-
-
-def opened(module, arguments):
-    """The study that a command works on; those with a way of their own get None."""
-    if getattr(module, "OPENS_ITSELF", False):
-        return None
-    return study.Study(arguments.file, arguments.output, arguments.program,
-                       arguments.extra)
 
 
 if __name__ == "__main__":

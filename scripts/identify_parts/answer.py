@@ -12,18 +12,14 @@ def number(value):
     return None if value is None or not math.isfinite(value) else float(value)
 
 
-def constants_text(law, constants):
-    return ", ".join(("%s=" + DIGITS) % pair for pair in zip(law.names, constants))
-
-
 def parameter_lines(fit, interval):
     """The entries of a .prm."""
     lines = ["subsection Model", "  set Strains          = finite",
              "  set Hyperelastic law = " + fit.law.name,
              ("  set Largest stretch  = " + DIGITS) % interval[1], "end",
              "subsection Material",
-             "  set Hyperelastic constants = "
-             + constants_text(fit.law, fit.constants)]
+             "  set Hyperelastic constants = " + ", ".join(
+                 ("%s=" + DIGITS) % pair for pair in zip(fit.law.names, fit.constants))]
     if fit.bulk is None:
         lines.append("  # set Bulk modulus         = MPa, from a volumetric test")
     else:
@@ -64,16 +60,15 @@ def test_lines(fit):
 
 def bulk_lines(fit):
     bulk = fit.bulk
-    volume = bulk.tests[0].stretch if len(bulk.tests) == 1 else None
     yield "Bulk modulus %.6g MPa, %g %%: %s" % (
         bulk.modulus, 100. * fit.confidence,
         interval_text(bulk.modulus, bulk.half_width))
     for test in bulk.tests:
         yield "  volumetric  %s: %d points, J %.5g to %.5g" % (
             test.name, len(test.stretch), test.stretch.min(), test.stretch.max())
-    if volume is not None:
-        yield "              " + figures_text(bulk.figures,
-                                              volume[bulk.figures["at"]])
+    if len(bulk.tests) == 1:
+        yield "              " + figures_text(
+            bulk.figures, bulk.tests[0].stretch[bulk.figures["at"]])
 
 
 def parts_text(parts):
@@ -101,12 +96,10 @@ def warnings_of(fit, checked):
         yield ("the tests do not tell the constants of %s apart: add a test of "
                "another kind, or choose a law with fewer constants" % fit.law.name)
     for mode in MODES:
-        if checked[mode]["unstable"]:
-            yield "not stable in Drucker's sense: %s, stretch %s" \
-                % (mode, parts_text(checked[mode]["unstable"]))
-        if checked[mode]["declines"]:
-            yield "the nominal stress declines: %s, stretch %s" \
-                % (mode, parts_text(checked[mode]["declines"]))
+        for key, words in (("unstable", "not stable in Drucker's sense"),
+                           ("declines", "the nominal stress declines")):
+            if checked[mode][key]:
+                yield "%s: %s, stretch %s" % (words, mode, parts_text(checked[mode][key]))
 
 
 def range_lines(ranges):
@@ -123,12 +116,9 @@ def text_of(fit, checked, interval, ranges):
     how = "with the constants given" if fit.confidence is None else \
         "least squares of the %s errors" % ("relative" if fit.relative
                                             else "absolute")
-    lines = ["%s, %s" % (fit.law.name, how)]
-    lines += list(constant_lines(fit)) + list(test_lines(fit))
-    if fit.bulk is not None:
-        lines += list(bulk_lines(fit))
-    lines += list(stability_lines(checked, interval))
-    lines += list(range_lines(ranges))
+    lines = ["%s, %s" % (fit.law.name, how), *constant_lines(fit), *test_lines(fit)]
+    lines += [] if fit.bulk is None else bulk_lines(fit)
+    lines += [*stability_lines(checked, interval), *range_lines(ranges)]
     lines += ["warning: " + text for text in warnings_of(fit, checked)]
     return "\n".join(lines + [""] + parameter_lines(fit, interval)) + "\n"
 
@@ -147,21 +137,15 @@ def constants_of(fit):
                      "high": None if half is None else number(value + half)}
 
 
-def test_of(test, figures):
-    return {"kind": test.kind, "file": test.path, "points": figures["n"],
-            "weight": test.weight, "r2": figures["r2"],
-            "rms_residual_MPa": figures["rms"],
-            "largest_residual_MPa": figures["largest"],
-            "stretch": [float(value) for value in test.stretch],
-            "stress_MPa": [float(value) for value in test.stress]}
-
-
 def json_of(fit, checked, interval, ranges):
     """Numbers and names only."""
-    tests = []
-    for test, figures in zip(fit.tests, fit.figures):
-        tests.append(dict(test_of(test, figures),
-                          fitted_MPa=[float(v) for v in fit.stress(test)]))
+    tests = [{"kind": test.kind, "file": test.path, "points": figures["n"],
+              "weight": test.weight, "r2": figures["r2"],
+              "rms_residual_MPa": figures["rms"],
+              "largest_residual_MPa": figures["largest"],
+              "stretch": test.stretch.tolist(), "stress_MPa": test.stress.tolist(),
+              "fitted_MPa": fit.stress(test).tolist()}
+             for test, figures in zip(fit.tests, fit.figures)]
     bulk = fit.bulk and {
         "value": fit.bulk.modulus, "low": fit.bulk.modulus - fit.bulk.half_width,
         "high": fit.bulk.modulus + fit.bulk.half_width, "unit": "MPa",

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 """Pictures of what was identified, as SVG or PNG."""
+import contextlib
 import os
 
 import matplotlib
@@ -7,7 +8,8 @@ import numpy as np
 from matplotlib.figure import Figure
 
 from report_parts import curves
-from sweep_parts.study_curves import HUES, save
+from study_parts import drawing
+from sweep_parts.study_curves import HUES
 
 from . import tear
 from .laws import MODES, existing
@@ -15,13 +17,14 @@ from .laws import MODES, existing
 MARKS = ("o", "s", "^", "D", "v", "P", "X", "*")
 
 
-def canvas(n_panels):
-    """(figure, axes) side by side."""
-    figure = Figure(figsize=(5.4 * n_panels + 0.6, 3.9))
-    figure.set_facecolor("white")
-    axes = figure.subplots(1, n_panels, squeeze=False)[0]
-    figure.subplots_adjust(wspace=0.24)
-    return figure, axes
+@contextlib.contextmanager
+def panels(path, n_panels, name="identify"):
+    """Axes side by side, to be drawn in; then they are saved."""
+    with matplotlib.rc_context(curves.STYLE):
+        figure = Figure(figsize=(5.4 * n_panels + 0.6, 3.9), facecolor="white")
+        figure.subplots_adjust(wspace=0.24)
+        yield figure.subplots(1, n_panels, squeeze=False)[0]
+        drawing.save(figure, path, name, 130)
 
 
 def draw_law(axes, fit, interval):
@@ -41,8 +44,7 @@ def draw_law(axes, fit, interval):
         if len(test.outside[0]):
             axes.plot(*test.outside, MARKS[i % len(MARKS)], ms=3.5, mfc="none",
                       color=curves.GREY, alpha=0.6, label="not used")
-    axes.set_xlabel("Stretch")
-    axes.set_ylabel("Nominal stress (MPa)")
+    axes.set(xlabel="Stretch", ylabel="Nominal stress (MPa)")
     axes.legend(fontsize=8.5)
 
 
@@ -64,15 +66,13 @@ def draw_bulk(axes, bulk):
                        max(test.stretch.max() for test in bulk.tests)])
     axes.plot(volume, -bulk.slope * (volume - bulk.zero), "-", color=HUES[1],
               label="K = %.5g MPa" % bulk.modulus)
-    axes.set_xlabel("Volume ratio J")
-    axes.set_ylabel("Pressure (MPa)")
+    axes.set(xlabel="Volume ratio J", ylabel="Pressure (MPa)")
     axes.legend()
 
 
-def draw_ranges(axes, fit, ranges):
-    """The tensile curve with its lines through the origin."""
+def draw_ranges(axes, tests, fit, ranges):
+    """The tensile curve with its lines through the origin; fit: may be None."""
     largest = max(percent for _, values in ranges for percent, _ in values)
-    tests = [test for test in fit.tests if test.kind == "uniaxial"] if fit else []
     for test in tests:
         axes.plot(100. * (test.stretch - 1.), test.stress, "o", ms=4.5, mfc="none",
                   color=curves.INK, label=test.name)
@@ -85,32 +85,25 @@ def draw_ranges(axes, fit, ranges):
         axes.plot([0., percent], [0., 0.01 * percent * modulus], "-", lw=1.8,
                   color=HUES[i % len(HUES)],
                   label="up to %g %%: E = %.3g MPa" % (percent, modulus))
-    axes.set_xlim(0., 1.05 * largest)
-    axes.set_xlabel("Engineering strain (%)")
-    axes.set_ylabel("Nominal stress (MPa)")
+    axes.set(xlim=(0., 1.05 * largest), xlabel="Engineering strain (%)",
+             ylabel="Nominal stress (MPa)")
     axes.legend(fontsize=8.5)
 
 
 def write_fit(path, fit, interval, ranges):
-    n_panels = 1 + (fit.bulk is not None) + bool(ranges)
-    with matplotlib.rc_context(curves.STYLE):
-        figure, axes = canvas(n_panels)
+    with panels(path, 1 + (fit.bulk is not None) + bool(ranges)) as axes:
         draw_law(axes[0], fit, interval)
         if fit.bulk is not None:
             draw_bulk(axes[1], fit.bulk)
         if ranges:
-            draw_ranges(axes[-1], fit, ranges)
-        save(figure, path, "identify")
+            draw_ranges(axes[-1], [test for test in fit.tests
+                                   if test.kind == "uniaxial"], fit, ranges)
 
 
 def write_ranges(path, tests, ranges):
     """Without a law: the first test and its lines."""
-    with matplotlib.rc_context(curves.STYLE):
-        figure, axes = canvas(1)
-        axes[0].plot(100. * (tests[0].stretch - 1.), tests[0].stress, "o", ms=4.5,
-                     mfc="none", color=curves.INK, label=tests[0].name)
-        draw_ranges(axes[0], None, ranges)
-        save(figure, path, "identify")
+    with panels(path, 1) as axes:
+        draw_ranges(axes[0], tests[:1], None, ranges)
 
 
 def draw_forces(axes, specimen, onset):
@@ -121,8 +114,7 @@ def draw_forces(axes, specimen, onset):
                   color=HUES[i % len(HUES)],
                   label=os.path.basename(curve.name))
     axes.axvline(onset, color=curves.GREY, lw=0.9, ls=(0, (4, 2)), label="onset")
-    axes.set_xlabel("Displacement (mm)")
-    axes.set_ylabel("Force (N)")
+    axes.set(xlabel="Displacement (mm)", ylabel="Force (N)")
     axes.legend(fontsize=8.5)
 
 
@@ -137,15 +129,12 @@ def draw_rates(axes, points):
                           [point.value for point in own], "-", lw=1., ms=4.5,
                           marker=MARKS[i], mfc="none", color=HUES[i], label=method)
     axes.set_ylim(bottom=min(0., axes.dataLim.y0))
-    axes.set_xlabel("Crack length (mm)")
-    axes.set_ylabel("Energy release rate G (N/mm)")
+    axes.set(xlabel="Crack length (mm)", ylabel="Energy release rate G (N/mm)")
     known = dict(reversed(list(zip(*reversed(axes.get_legend_handles_labels())))))
     axes.legend(known.values(), known.keys(), fontsize=8.5)
 
 
 def write_tear(path, specimen, onset, points):
-    with matplotlib.rc_context(curves.STYLE):
-        figure, axes = canvas(2)
+    with panels(path, 2, "tear") as axes:
         draw_forces(axes[0], specimen, onset)
         draw_rates(axes[1], points)
-        save(figure, path, "tear")

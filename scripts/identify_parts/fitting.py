@@ -8,9 +8,9 @@ squares / (points - constants); intervals are those of Student's t.
 """
 import numpy as np
 
-from .errors import InputError
+from report_parts.errors import InputError
+
 from .laws import largest_invariant
-from .rubber_tests import VOLUMETRIC
 
 N_REFINED = 24  # of the starts, the best by a linear fit
 SMALLEST_SINGULAR = 1e-8  # of the scaled Jacobian: below, constants are not told apart
@@ -74,24 +74,16 @@ class Problem:
 
     def jacobian(self, constants):
         """By complex steps, exact to rounding."""
-        columns = []
-        for i in range(len(constants)):
-            moved = np.array(constants, dtype=complex)
-            moved[i] += 1e-30j
-            columns.append(self.residuals(moved).imag / 1e-30)
-        return np.array(columns).T
+        return np.array([self.residuals(constants + 1e-30j * unit).imag / 1e-30
+                         for unit in np.eye(len(constants))]).T
 
     def linear_start(self, other):
         """(cost, constants): the linear constants that fit best beside others."""
         law = self.law
         constants = np.zeros(len(law.names))
         constants[law.other] = other
-        columns = []
-        for i in law.linear:
-            unit = constants.copy()
-            unit[i] = 1.
-            columns.append(self.weights * self.stresses(unit))
-        matrix = np.array(columns).T
+        matrix = np.array([self.weights * self.stresses(constants + unit)
+                           for unit in np.eye(len(constants))[law.linear]]).T
         scale = np.linalg.norm(matrix, axis=0)
         scale[scale == 0.] = 1.
         found = np.linalg.lstsq(matrix / scale, self.weights * self.measured,
@@ -112,9 +104,8 @@ class Problem:
 
 def solved(problem):
     """The constants of the best of the minima found."""
-    starts = [problem.linear_start(other)
-              for other in problem.law.starts(problem.largest)]
-    starts.sort(key=lambda start: start[0])
+    starts = sorted((problem.linear_start(other) for other
+                     in problem.law.starts(problem.largest)), key=lambda start: start[0])
     if not problem.law.other:
         return problem.refined(starts[0][1])[1]
     minima = [problem.refined(start) for _, start in starts[:N_REFINED]]
@@ -189,7 +180,3 @@ class Bulk:
         self.tests = tests
 
 
-def split(tests):
-    """(tests of the law, volumetric ones)."""
-    return ([test for test in tests if test.kind != VOLUMETRIC],
-            [test for test in tests if test.kind == VOLUMETRIC])

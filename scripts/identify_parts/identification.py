@@ -2,9 +2,10 @@
 """From the command line to a law: which tests, which constants, which range."""
 import numpy as np
 
-from . import fitting, laws, linear_ranges, rubber_tests, settings, stability
-from .csv_table import number_in
-from .errors import InputError
+from report_parts.csv_table import number_in
+from report_parts.errors import InputError
+
+from . import fitting, laws, linear_ranges, rubber_tests, settings
 
 DEFAULT_USE = 1., 5.
 
@@ -66,7 +67,8 @@ def given_constants(law, text):
 
 def fit_of(arguments, tests):
     law = laws.law_of(arguments.law, arguments.terms)
-    own, volumetric = fitting.split(tests)
+    own = [test for test in tests if test.kind != rubber_tests.VOLUMETRIC]
+    volumetric = [test for test in tests if test.kind == rubber_tests.VOLUMETRIC]
     if arguments.constants:
         fit = fitting.given(law, given_constants(law, arguments.constants), own,
                             arguments.relative)
@@ -93,7 +95,3 @@ def interval_of_use(arguments, fit):
         raise InputError("--use: expected LOW above 0 and a number for HIGH, found '%s'"
                          % arguments.use)
     return low, high
-
-
-def checked(fit, interval):
-    return stability.checked(fit.law, fit.constants, interval)

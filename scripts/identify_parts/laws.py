@@ -21,7 +21,7 @@ import itertools
 
 import numpy as np
 
-from .errors import InputError
+from report_parts.errors import InputError
 
 MODES = ("uniaxial", "planar", "equibiaxial")
 
@@ -88,53 +88,33 @@ class InvariantLaw(Law):
             h[i, i] += 4. * w1 * lam[i]**2 + 4. * w2 * lam[i]**-2.
         return h
 
+    def shear_modulus(self, constants):
+        w1, w2, _ = self.derivatives(constants, 0.)
+        return 2. * (w1 + w2)
+
 
 class NeoHooke(InvariantLaw):
-    def __init__(self):
-        super().__init__("neo-Hooke", ["mu"])
-
     def derivatives(self, constants, invariant):
         return 0.5 * constants[0] + 0. * invariant, 0., 0. * invariant
 
-    def shear_modulus(self, constants):
-        return constants[0]
-
 
 class MooneyRivlin(InvariantLaw):
-    def __init__(self):
-        super().__init__("Mooney-Rivlin", ["C10", "C01"])
-
     def derivatives(self, constants, invariant):
         return constants[0] + 0. * invariant, constants[1], 0. * invariant
 
-    def shear_modulus(self, constants):
-        return 2. * (constants[0] + constants[1])
-
 
 class Yeoh(InvariantLaw):
-    def __init__(self):
-        super().__init__("Yeoh", ["C10", "C20", "C30"])
-
     def derivatives(self, constants, invariant):
         c10, c20, c30 = constants
         return (c10 + 2. * c20 * invariant + 3. * c30 * invariant**2, 0.,
                 2. * c20 + 6. * c30 * invariant)
 
-    def shear_modulus(self, constants):
-        return 2. * constants[0]
-
 
 class Gent(InvariantLaw):
-    def __init__(self):
-        super().__init__("Gent", ["mu", "Jm"], linear=[0])
-
     def derivatives(self, constants, invariant):
         mu, limit = constants
         left = limit - invariant
         return 0.5 * mu * limit / left, 0., 0.5 * mu * limit / left**2
-
-    def shear_modulus(self, constants):
-        return constants[0]
 
     def bounds(self, largest_invariant):
         return [-np.inf, largest_invariant * (1. + 1e-9)], [np.inf, np.inf]
@@ -157,11 +137,6 @@ class Ogden(Law):
     """mu1, alpha1, mu2, alpha2, ..."""
 
     EXPONENTS = (-6., -4., -2., -1., 0.5, 1., 1.5, 2., 3., 4., 6., 8., 12.)
-
-    def __init__(self, n_terms):
-        names = [name % i for i in range(1, n_terms + 1)
-                 for name in ("mu%d", "alpha%d")]
-        super().__init__("Ogden", names, linear=list(range(0, 2 * n_terms, 2)))
 
     def first(self, constants, lam):
         return sum(mu * lam**alpha
@@ -195,15 +170,20 @@ class Ogden(Law):
                 raise InputError("%s = 0: expected a number other than 0" % name)
 
 
-LAWS = {"neo-Hooke": NeoHooke, "Mooney-Rivlin": MooneyRivlin, "Yeoh": Yeoh,
-        "Gent": Gent, "Ogden": Ogden}
+# of each name: class, constants, and which of them are linear where not all are; of
+# Ogden's law those of three terms
+LAWS = {"neo-Hooke": (NeoHooke, ["mu"]), "Mooney-Rivlin": (MooneyRivlin, ["C10", "C01"]),
+        "Yeoh": (Yeoh, ["C10", "C20", "C30"]), "Gent": (Gent, ["mu", "Jm"], [0]),
+        "Ogden": (Ogden, ["mu1", "alpha1", "mu2", "alpha2", "mu3", "alpha3"], [0, 2, 4])}
 
 
 def law_of(name, n_terms):
     """The law of that name, whatever its capitals; n_terms is Ogden's."""
-    for known, make in LAWS.items():
+    for known, (kind, names, *linear) in LAWS.items():
+        if known.lower() == name.lower() and known != "Ogden":
+            return kind(known, names, *linear)
         if known.lower() == name.lower():
-            return make(n_terms) if known == "Ogden" else make()
+            return kind(known, names[:2 * n_terms], linear[0][:n_terms])
     raise InputError("--law: expected one of %s, found '%s'" % (", ".join(LAWS), name))
 
 

@@ -9,7 +9,7 @@ end, and smaller where it is steepest at its begin.
 """
 import numpy as np
 
-from .errors import InputError
+from report_parts.errors import InputError
 
 N_POINTS = 200
 

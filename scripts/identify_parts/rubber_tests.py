@@ -8,9 +8,10 @@ import os
 
 import numpy as np
 
+from report_parts.csv_table import Table
+from report_parts.errors import InputError
+
 from . import settings
-from .csv_table import Table
-from .errors import InputError
 from .laws import MODES
 
 VOLUMETRIC = "volumetric"
@@ -75,12 +76,10 @@ def split_source(text):
 
 def stress_column(table, kind):
     """(name of the column, kind that it tells or None)."""
-    for name in table.names:
-        for known in KINDS:
-            if name.lower().startswith(known + "_") \
-                    and name[len(known) + 1:] in STRESSES and kind in (None, known):
-                return name, known
-    return None, None
+    return next(((name, known) for name in table.names for known in KINDS
+                 if name.lower().startswith(known + "_")
+                 and name[len(known) + 1:] in STRESSES and kind in (None, known)),
+                (None, None))
 
 
 def kinds_of_rows(table, kind):
@@ -113,11 +112,8 @@ def stretches_of(table, kind, given):
     known = VOLUMES if kind == VOLUMETRIC else STRETCHES
     name = table.chosen(tuple(known) + ("displacement_mm",),
                         "volume" if kind == VOLUMETRIC else "stretch")
-    if name == "displacement_mm":
-        factor, offset = 1. / needed(table, kind, "gauge_length_mm", given,
-                                     "gauge_length", name), 1.
-    else:
-        factor, offset = known[name]
+    factor, offset = known[name] if name in known else (1. / needed(
+        table, kind, "gauge_length_mm", given, "gauge_length", name), 1.)
     return factor * table.column(name, above=0. - offset / factor) + offset
 
 

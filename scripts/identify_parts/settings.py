@@ -2,8 +2,8 @@
 """Options that may differ from test to test: 'VALUE', 'KIND=VALUE', 'FILE=VALUE'."""
 import os
 
-from .csv_table import number_in
-from .errors import InputError
+from report_parts.csv_table import number_in
+from report_parts.errors import InputError
 
 
 def interval(text, place):

@@ -33,17 +33,11 @@ def slope(law, constants, mode, stretch):
 def negative_parts(function, stretch):
     """[(from, to)] where function(stretch) <= 0; ends by bisection."""
     negative = function(stretch) <= 0.
-    parts, start = [], stretch[0] if negative[0] else None
-    for i in np.flatnonzero(negative[1:] != negative[:-1]):
-        end = crossing(function, stretch[i], stretch[i + 1])
-        if start is None:
-            start = end
-        else:
-            parts.append((float(start), float(end)))
-            start = None
-    if start is not None:
-        parts.append((float(start), float(stretch[-1])))
-    return parts
+    ends = [stretch[0]] if negative[0] else []
+    ends += [crossing(function, stretch[i], stretch[i + 1])
+             for i in np.flatnonzero(negative[1:] != negative[:-1])]
+    ends += [stretch[-1]] if negative[-1] else []
+    return [(float(low), float(high)) for low, high in zip(ends[::2], ends[1::2])]
 
 
 def crossing(function, low, high):
@@ -60,13 +54,12 @@ def crossing(function, low, high):
 def checked(law, constants, interval):
     """{mode: {"from", "to": stretches at which there is a stress, "unstable",
     "declines": [(from, to)]}}."""
-    every = np.geomspace(interval[0], interval[1], N_SAMPLES)
-    return {mode: checked_mode(law, constants, mode,
-                               existing(law, constants, mode, every))
-            for mode in MODES}
+    every = np.geomspace(*interval, N_SAMPLES)
+    return {mode: checked_mode(law, constants, mode, every) for mode in MODES}
 
 
 def checked_mode(law, constants, mode, stretch):
+    stretch = existing(law, constants, mode, stretch)
     if len(stretch) == 0:
         return {"from": None, "to": None, "unstable": [], "declines": []}
     parts = [negative_parts(lambda s, f=function: f(law, constants, mode, s), stretch)

@@ -15,22 +15,20 @@ thickness t (mm), u the displacement and a the length of the crack (mm):
 
 U_w and F_w are those of the specimen without a crack.
 """
+import collections
+
 import numpy as np
 
-from .errors import InputError
+from report_parts.errors import InputError
+
 from .tear_curves import GROWING
 
 DIFFERENCE, BALANCE, RATIO, PLANE, PAPER = METHODS = (
     "energy difference", "energy balance", "force ratio", "W h0", "paper")
 
 
-class Point:
-    """G at a crack length and a displacement, by a method, of a curve."""
-
-    def __init__(self, method, curve, length, displacement, value):
-        self.method, self.curve = method, curve
-        self.length, self.displacement = float(length), float(displacement)
-        self.value = float(value)
+# G at a crack length and a displacement, by a method, of a curve
+Point = collections.namedtuple("Point", "method curve length displacement value")
 
 
 def standing_curves(specimen):
@@ -38,12 +36,6 @@ def standing_curves(specimen):
     found = [(curve.length, curve) for curve in specimen.standing]
     found += [(float(curve.length[0]), curve) for curve in specimen.growing]
     return sorted(found, key=lambda pair: pair[0])
-
-
-def onset_of(specimen, given):
-    """Displacement at which standing cracks are evaluated, mm."""
-    ends = [curve.end for _, curve in standing_curves(specimen)]
-    return given if given is not None else min(ends)
 
 
 def differences(specimen, displacement):
@@ -132,7 +124,7 @@ def means_of(points, specimen, mean_from):
 
 def evaluated(specimen, options):
     """(onset in mm, points)."""
-    onset = onset_of(specimen, options.onset)
+    onset = options.onset or min(curve.end for _, curve in standing_curves(specimen))
     points = of_standing(specimen, onset, options.paper_formula)
     for curve in specimen.growing:
         points += of_growing(specimen, curve, options.paper_formula)
@@ -163,14 +155,12 @@ def table_lines(points):
 def text_of(specimen, onset, points, mean_from):
     """What is printed."""
     lines = ["Pure shear, %g x %g x %g mm; G in N/mm"
-             % (specimen.width, specimen.height, specimen.thickness)]
-    lines.append("Standing cracks are evaluated at %.5g mm, stretch %.4g"
-                 % (onset, 1. + onset / specimen.height))
-    lines += list(table_lines(points))
-    for method, name, mean, low, high, number in means_of(points, specimen, mean_from):
+             % (specimen.width, specimen.height, specimen.thickness),
+             "Standing cracks are evaluated at %.5g mm, stretch %.4g"
+             % (onset, 1. + onset / specimen.height), *table_lines(points)]
+    for method, name, *numbers in means_of(points, specimen, mean_from):
         lines.append("mean by %s of %s, growth beyond %g mm: %.4g N/mm "
-                     "(%.4g to %.4g, %d values)"
-                     % (method, name, mean_from, mean, low, high, number))
+                     "(%.4g to %.4g, %d values)" % (method, name, mean_from, *numbers))
     return "\n".join(lines) + "\n"
 
 
@@ -178,10 +168,8 @@ def json_of(specimen, onset, points, mean_from):
     return {"specimen_mm": {"width": specimen.width, "height": specimen.height,
                             "thickness": specimen.thickness},
             "onset_displacement_mm": onset,
-            "points": [{"method": point.method, "curve": point.curve,
-                        "crack_length_mm": point.length,
-                        "displacement_mm": point.displacement,
-                        "G_N_per_mm": point.value} for point in points],
+            "points": [dict(zip(("method", "curve", "crack_length_mm", "displacement_mm",
+                                 "G_N_per_mm"), point)) for point in points],
             "means": [dict(zip(("method", "curve", "G_N_per_mm", "smallest", "largest",
                                 "values"), mean))
                       for mean in means_of(points, specimen, mean_from)]}

@@ -14,8 +14,8 @@ import os
 
 import numpy as np
 
-from .csv_table import Table, number_in
-from .errors import InputError
+from report_parts.csv_table import Table, number_in
+from report_parts.errors import InputError
 
 FORCES = ("force_N", "force_x_N", "force_y_N", "force_z_N")
 UNCRACKED, GROWING = "uncracked", "growing"
@@ -79,12 +79,6 @@ def split_source(text):
                                  above=0.), path
 
 
-def table_of(path):
-    if os.path.isdir(path):
-        return Table(os.path.join(path, "statistics.csv"), may_be_cut=True)
-    return Table(path)
-
-
 def force_of(table, component):
     """N, positive where it is largest."""
     allowed = FORCES if component is None else ("force_%s_N" % component,)
@@ -109,7 +103,8 @@ def check_work(table, displacement, force):
 
 def read_one(text, options):
     kind, length, path = split_source(text)
-    table = table_of(path)
+    is_run = os.path.isdir(path)
+    table = Table(os.path.join(path, "statistics.csv") if is_run else path, is_run)
     if len(table.rows) < 3:
         raise InputError("%s: expected at least 3 rows, found %d"
                          % (table.path, len(table.rows)))
@@ -203,21 +198,14 @@ class Specimen:
         self.growing = [curve for curve in curves if curve.kind == GROWING]
         self.standing = sorted((curve for curve in curves
                                 if curve.kind == "standing"), key=lambda c: c.length)
-        for curve in self.standing:
-            self.check_length(curve, curve.length)
-        for curve in self.growing:
-            self.check_length(curve, curve.length[0])
+        for curve in self.standing + self.growing:
+            length = np.ravel(curve.length)[0]
+            if not length < self.width:
+                raise InputError("--tear: expected a crack shorter than --width %g in "
+                                 "'%s', found %g" % (self.width, curve.path, length))
         if not self.standing and not self.growing:
             raise InputError("--tear: expected a curve with a crack (LENGTH:FILE or "
                              "growing:FILE), found none")
-        self.check_lengths()
-
-    def check_length(self, curve, length):
-        if not length < self.width:
-            raise InputError("--tear: expected a crack shorter than --width %g in '%s',"
-                             " found %g" % (self.width, curve.path, length))
-
-    def check_lengths(self):
         for one, other in zip(self.standing, self.standing[1:]):
             if one.length == other.length:
                 raise InputError("--tear: expected one file for each crack length, "

@@ -5,7 +5,6 @@ by PIL, or a series of PNG for whatever makes videos."""
 import io
 import os
 
-import matplotlib
 import matplotlib.image
 import numpy as np
 from matplotlib.figure import Figure
@@ -61,24 +60,19 @@ class Frames:
                 [self.points(fields) for _, fields in drawn] + [drawn[0][1].points])
 
     def points(self, fields):
-        if self.scale == 0. or "displacement" not in fields.data:
-            return fields.points
-        return pictures.deformed_points(fields, self.scale)
+        return pictures.deformed_points(fields, self.scale) \
+            if self.scale and "displacement" in fields.data else fields.points
 
     def draw_body(self, axes, fields):
         if self.is_solid:
             picture = io.BytesIO(solids.crack_picture(fields, self.region))
             axes.imshow(matplotlib.image.imread(picture, format="png"))
+            axes.axis("off")
             return
         points = self.points(fields)
-        faces = pictures.unbroken_faces(fields, points, self.scale)
-        pictures.paint(axes, fields, points, faces,
-                       np.clip(fields.data["phase_field"], 0., 1.))
-        if pictures.is_flat(fields):
-            pictures.lines(axes, points, pictures.outline_of(fields.points, faces), 0.8)
-        low, high = self.window
-        axes.set_xlim(low[0], high[0])
-        axes.set_ylim(low[1], high[1])
+        pictures.draw_body(axes, fields, points,
+                           pictures.unbroken_faces(fields, points, self.scale))
+        pictures.show(axes, self.window)
 
     def draw_curve(self, axes, time):
         x, x_label = curves.displacement_of(self.results)
@@ -86,22 +80,17 @@ class Frames:
         if self.force.values is None or steps is None:
             axes.axis("off")
             return
-        n = int(np.searchsorted(steps, time * (1. + 1e-9) + 1e-300, side="right"))
-        n = max(n, 1)
+        n = max(1, int(np.searchsorted(steps, time * (1. + 1e-9) + 1e-300, "right")))
         axes.plot(x, self.force.values, "-", color=AHEAD, lw=1.2)
         axes.plot(x[:n], self.force.values[:n], "-", color=PASSED, lw=1.8)
         axes.plot(x[n - 1], self.force.values[n - 1], "o", color=PASSED, ms=6)
-        axes.set_xlabel(x_label)
-        axes.set_ylabel(self.force.label)
+        axes.set(xlabel=x_label, ylabel=self.force.label)
 
     def figure(self, time, fields):
         with matplotlib.rc_context(curves.STYLE):
-            figure = Figure(figsize=SIZE, dpi=DPI)
-            figure.set_facecolor("white")
+            figure = Figure(figsize=SIZE, dpi=DPI, facecolor="white")
             body, curve = figure.subplots(1, 2, width_ratios=(1., 1.15))
             self.draw_body(body, fields)
-            body.set_aspect("equal")
-            body.axis("off")
             self.draw_curve(curve, time)
             figure.subplots_adjust(left=0.01, right=0.985, top=0.94, bottom=0.13,
                                    wspace=0.18)
@@ -110,14 +99,6 @@ class Frames:
                            ", displacement × %.3g" % self.scale),
                         fontsize=9., color=curves.GREY)
             return figure
-
-
-def png_of(figure):
-    """All of one size: no part of the frame is cut off."""
-    stream = io.BytesIO()
-    with matplotlib.rc_context({"savefig.facecolor": "white"}):
-        figure.savefig(stream, format="png", dpi=DPI, metadata={"Software": None})
-    return stream.getvalue()
 
 
 def frames_of(results, most):
@@ -132,7 +113,8 @@ def frames_of(results, most):
                              % results.directory)
     frames = Frames(results, drawn)
     for time, fields in drawn:
-        yield time, png_of(frames.figure(time, fields))
+        # all of one size: no part of the frame is cut off
+        yield time, pictures.png_of(frames.figure(time, fields), DPI)
 
 
 def require_webp():

@@ -67,3 +67,9 @@ def cracks_at_end(directory, remarks):
         crack = cracks.setdefault(number, Crack(number, row))
         crack.points.append((float(row["x_mm"]), float(row["y_mm"])))
     return [cracks[number] for number in sorted(cracks)]
+
+
+def lines_at_end(directory):
+    """Their points where there are several; None when there is no file."""
+    cracks = cracks_at_end(directory, [])
+    return cracks and [crack.points for crack in cracks if len(crack.points) > 1]

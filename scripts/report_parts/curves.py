@@ -45,23 +45,17 @@ def drawing(width, height):
     return figure, figure.add_axes([0.085, 0.14, 0.895, 0.83])
 
 
+def is_known(values):
+    return values is not None and np.isfinite(values).any()
+
+
 def displacement_of(results):
     """(values, label) of the horizontal axis: where nothing is moved, time."""
-    known = []
-    for name in ("displacement_mm", "time_s"):
-        values = results.column(name)
-        if values is not None and np.isfinite(values).any():
-            known.append((values, label(name)))
-    for values, text in known:
-        if np.nanmax(np.abs(values)) > 0.:
-            return values, text
-    if known:
-        return known[0]
-    return np.arange(results.n_steps, dtype=float), "Step"
-
-
-def unit_of(text):
-    return text.partition("(")[2].rstrip(")")
+    known = [(results.column(name), label(name))
+             for name in ("displacement_mm", "time_s") if is_known(results.column(name))]
+    if not known:
+        return np.arange(results.n_steps, dtype=float), "Step"
+    return next((pair for pair in known if np.nanmax(np.abs(pair[0])) > 0.), known[0])
 
 
 def annotated(axes, x, y, text, color, offset, align="left"):
@@ -82,13 +76,18 @@ def force_curve(results, force):
         axes.plot(x, force.values, "o", color=BLUE, ms=2.6)
         top = force.values[force.peak]
         if top > 0.:
-            mark_peak_and_separation(axes, x, force, unit_of(x_label))
+            mark_peak_and_separation(axes, x, force,
+                                     x_label.partition("(")[2].rstrip(")"))
             axes.set_ylim(min(0., np.nanmin(force.values)) - 0.02 * top, 1.14 * top)
-        if np.nanmax(x) > 0.:
-            axes.set_xlim(min(0., np.nanmin(x)), 1.04 * np.nanmax(x))
-        axes.set_xlabel(x_label)
-        axes.set_ylabel(force.label)
+        label_axes(axes, x, x_label, force.label)
         return svg_of(figure, "force")
+
+
+def label_axes(axes, x, x_label, y_label):
+    """With 0 in sight, where x is not 0 throughout."""
+    if np.nanmax(x) > 0.:
+        axes.set_xlim(min(0., np.nanmin(x)), 1.04 * np.nanmax(x))
+    axes.set(xlabel=x_label, ylabel=y_label)
 
 
 def mark_peak_and_separation(axes, x, force, unit):
@@ -107,16 +106,15 @@ def mark_peak_and_separation(axes, x, force, unit):
 def energy_curves(results):
     """Energies over displacement, or None when none was written."""
     x, x_label = displacement_of(results)
-    columns = [("external_work_mJ", INK, "-"), ("elastic_energy_mJ", BLUE, "-"),
-               ("crack_energy_mJ", RED, "-")]
+    columns = {"external_work_mJ": INK, "elastic_energy_mJ": BLUE,
+               "crack_energy_mJ": RED}
     with matplotlib.rc_context(STYLE):
         figure, axes = drawing(9.2, 3.7)
         drawn = []
-        for name, color, line in columns:
+        for name, color in columns.items():
             values = results.column(name)
-            if values is not None and np.isfinite(values).any():
-                drawn += axes.plot(x, values, line, color=color, lw=1.5,
-                                   label=words(name))
+            if is_known(values):
+                drawn += axes.plot(x, values, color=color, lw=1.5, label=words(name))
         rest = moments.imbalance(results)
         if rest is not None:
             drawn += axes.plot(x, rest, "--", color=OCHRE, lw=1.5,
@@ -124,10 +122,7 @@ def energy_curves(results):
         if not drawn:
             return None
         axes.legend(loc="upper left", fontsize=9.5)
-        axes.set_xlabel(x_label)
-        axes.set_ylabel("Energy (mJ)")
-        if np.nanmax(x) > 0.:
-            axes.set_xlim(min(0., np.nanmin(x)), 1.04 * np.nanmax(x))
+        label_axes(axes, x, x_label, "Energy (mJ)")
         return svg_of(figure, "energy")
 
 

@@ -14,13 +14,9 @@ def interpreters():
     """Python interpreters of this machine, each once, likeliest first."""
     found = [os.environ.get("MIXED_CRACKS_PYTHON"), shutil.which("python3"),
              "/usr/bin/python3", "/usr/local/bin/python3", "/bin/python3"]
-    for folder in os.environ.get("PATH", "").split(os.pathsep):
-        found.append(os.path.join(folder, "python3"))
-    unique = []
-    for path in found:
-        if path and path not in unique and os.access(path, os.X_OK):
-            unique.append(path)
-    return unique
+    found += [os.path.join(folder, "python3")
+              for folder in os.environ.get("PATH", "").split(os.pathsep)]
+    return [path for path in dict.fromkeys(found) if path and os.access(path, os.X_OK)]
 
 
 def has_modules(interpreter, modules):
@@ -55,24 +51,23 @@ def use_another(modules):
 
 
 def use_one_with_matplotlib():
-    if not missing_here(DRAWING):
-        return
-    use_another(DRAWING)
-    sys.exit("%s: no Python with matplotlib and numpy was found (tried: %s).\n"
-             "On Debian: apt-get install python3-matplotlib; or name one in "
-             "MIXED_CRACKS_PYTHON." % (os.path.basename(sys.argv[0]),
-                                       ", ".join([sys.executable] + interpreters())))
+    if missing_here(DRAWING):
+        use_another(DRAWING)
+        sys.exit("%s: no Python with matplotlib and numpy was found (tried: %s).\n"
+                 "On Debian: apt-get install python3-matplotlib; or name one in "
+                 "MIXED_CRACKS_PYTHON."
+                 % (os.path.basename(sys.argv[0]),
+                    ", ".join([sys.executable] + interpreters())))
 
 
 def use_one_with(modules):
     """The same for other modules, whose Debian packages are named after them; one
     line and exit status 2 where there is none."""
     missing = missing_here(modules)
-    if not missing:
-        return
-    use_another(modules)
-    sys.stderr.write("%s: no Python with %s was found; on Debian: apt-get install %s, "
-                     "or name one in MIXED_CRACKS_PYTHON\n"
-                     % (os.path.basename(sys.argv[0]), ", ".join(modules),
-                        " ".join("python3-" + name for name in missing)))
-    sys.exit(2)
+    if missing:
+        use_another(modules)
+        sys.stderr.write("%s: no Python with %s was found; on Debian: apt-get install "
+                         "%s, or name one in MIXED_CRACKS_PYTHON\n"
+                         % (os.path.basename(sys.argv[0]), ", ".join(modules),
+                            " ".join("python3-" + name for name in missing)))
+        sys.exit(2)

@@ -53,9 +53,8 @@ def chosen_force(results, component=None):
     values, label = table[largest], "Force in %s (N)" % names[largest]
     if not np.isfinite(values).any():
         return values, label
-    if abs(np.nanmin(values)) > np.nanmax(values):
-        return -values, label.replace("Force", "Compressive force")
-    return values, label
+    return (-values, label.replace("Force", "Compressive force")) \
+        if abs(np.nanmin(values)) > np.nanmax(values) else (values, label)
 
 
 def separation_threshold(results):
@@ -91,12 +90,12 @@ def imbalance(results):
     start (mJ). Crack energy of the first row belongs to the initial cracks, what
     is stored then to loads that are there from the start: nobody did work for
     them."""
-    work = results.column("external_work_mJ")
-    elastic = results.column("elastic_energy_mJ")
-    crack = results.column("crack_energy_mJ")
-    if work is None or elastic is None or crack is None:
+    energies = [results.column(name) for name in (
+        "external_work_mJ", "elastic_energy_mJ", "crack_energy_mJ")]
+    if any(values is None for values in energies):
         return None
-    return (work - work[0]) - (elastic - elastic[0]) - (crack - crack[0])
+    work, elastic, crack = (values - values[0] for values in energies)
+    return work - elastic - crack
 
 
 def onset_index(results, force):

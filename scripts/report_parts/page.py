@@ -33,14 +33,33 @@ def escaped(text):
     return html.escape(CONTROL.sub("\ufffd", str(text)))
 
 
+def element(tag, content, kind=""):
+    return "<%s%s>%s</%s>" % (tag, " class=\"%s\"" % kind if kind else "", content, tag)
+
+
+def note(text):
+    return element("p", text, "note")
+
+
+def table_of(rows, header=(), kind=""):
+    """Rows of cells, all HTML."""
+    lines = ["".join(element("th", name) for name in header)] if header else []
+    lines += ["".join(element("td", cell) for cell in row) for row in rows]
+    return element("table", "".join(element("tr", line) for line in lines), kind)
+
+
+def aside(remarks):
+    items = "".join(element("li", escaped(remark)) for remark in remarks)
+    return "<aside><h2>Please note</h2><ul>%s</ul></aside>\n" % items if remarks else ""
+
+
 def guarded(remarks, what, part, *arguments):
     """What the part returns. Files may hold what nobody foresaw: then a remark,
     and nothing in its place."""
     try:
         return part(*arguments)
     except Exception as error:  # the rest of the page is still worth having
-        remarks.append("%s could not be made (%s: %s)."
-                       % (what, type(error).__name__, str(error).split("\n")[0][:200]))
+        remarks.append("%s could not be made (%s)." % (what, safe.in_words(error)))
         return ""
 
 
@@ -53,8 +72,10 @@ def written(directory):
     middle = (guarded(remarks, "The curve of the force", curve_section, results, force)
               + guarded(remarks, "The pictures", field_sections, results, force,
                         remarks)
-              + guarded(remarks, "The curves of the energies", energy_section, results)
-              + guarded(remarks, "The curves of the steps", step_section, results)
+              + guarded(remarks, "The curves of the energies", drawn_section, "Energies",
+                        curves.energy_curves, results)
+              + guarded(remarks, "The curves of the steps", drawn_section, "Steps",
+                        curves.step_curves, results)
               + guarded(remarks, "The tables", table_section, results))
     # drawing may add remarks, so the head comes last
     figures = guarded(remarks, "The key figures", words.key_figures, results, force)
@@ -64,8 +85,7 @@ def written(directory):
 
 def in_frame(title, body):
     """A whole page: the title is text, the body HTML."""
-    with open(os.path.join(os.path.dirname(__file__), "page.css")) as stream:
-        style = stream.read()
+    style = safe.read_text(os.path.join(os.path.dirname(__file__), "page.css"))
     return PAGE.format(title=escaped(title), style=style, body=body)
 
 
@@ -73,32 +93,26 @@ def head(results, key_figures, remarks):
     figures = "".join(
         "<div><dt>%s</dt><dd>%s<small>%s</small></dd></div>"
         % tuple(escaped(part) for part in figure) for figure in key_figures)
-    text = "<header><p class=\"kind\">Phase-field fracture</p><h1>%s</h1>" \
+    return "<header><p class=\"kind\">Phase-field fracture</p><h1>%s</h1>" \
         "<p>%s</p><dl class=\"key\">%s</dl></header>\n" \
         % (escaped(words.title_of(results)), escaped(words.case_in_words(results)),
-           figures)
-    if remarks:
-        text += "<aside><h2>Please note</h2><ul>%s</ul></aside>\n" \
-            % "".join("<li>%s</li>" % escaped(remark) for remark in remarks)
-    return text
+           figures) + aside(remarks)
 
 
 def curve_section(results, force):
     drawing = curves.force_curve(results, force)
     if drawing is None:
-        return section("Force and displacement",
-                       "<p class=\"note\">No force has been written yet.</p>")
-    note = "Every dot is an accepted load step."
+        return section("Force and displacement", note("No force has been written yet."))
+    text = "Every dot is an accepted load step."
     thickness = results.number("Material/Thickness")
     if thickness is not None and not results.is_3d:
-        note += " Forces are those of the specimen, %s thick." \
+        text += " Forces are those of the specimen, %s thick." \
             % words.number(thickness, "mm")
     if force.separation is not None:
-        note += " %s: %.2g\u00a0%% of the peak force is left." % (
+        text += " %s: %.2g\u00a0%% of the peak force is left." % (
             force.fall_in_words.capitalize(),
             100. * force.values[force.separation] / force.values[force.peak])
-    return section("Force and displacement",
-                   drawing + "<p class=\"note\">%s</p>" % note)
+    return section("Force and displacement", drawing + note(text))
 
 
 def why_no_fields(results):
@@ -116,7 +130,7 @@ def field_sections(results, force, remarks):
     """Pictures of the phase field, and of mesh and deformed body."""
     collection = vtu.read_collection(results.directory)
     if not collection:
-        return section("The crack", "<p class=\"note\">%s</p>" % why_no_fields(results)
+        return section("The crack", note(why_no_fields(results))
                        + path_part(results, None, remarks))
     times = [time for time, _ in collection]
     drawn = []
@@ -132,18 +146,17 @@ def field_sections(results, force, remarks):
             continue
         drawn.append((time, text, fields))
     if not drawn:
-        return section("The crack", "<p class=\"note\">None of the files of fields "
-                       "could be drawn.</p>" + path_part(results, None, remarks))
+        return section("The crack", note("None of the files of fields could be drawn.")
+                       + path_part(results, None, remarks))
     first, last = drawn[0][2], drawn[-1]
     if solids.is_solid(first):
         return solid_sections(results, force, drawn, remarks)
     figures = [(pictures.phase_field_picture(fields),
                 caption(results, force, time, text)) for time, text, fields in drawn]
-    note = "Phase field φ on the undeformed body" \
-        + ("." if pictures.is_flat(first) else ", seen along z.")
-    return section("The crack", "<p class=\"note\">%s</p>%s%s%s"
-                   % (note, row(figures, pictures.window_of(first.points)),
-                      color_bar(), path_part(results, last[2], remarks)), "long") \
+    text = note("Phase field φ on the undeformed body"
+                + ("." if pictures.is_flat(first) else ", seen along z."))
+    return section("The crack", text + row(figures, pictures.window_of(first.points))
+                   + color_bar() + path_part(results, last[2], remarks), "long") \
         + body_section(results, drawn)
 
 
@@ -153,13 +166,13 @@ def solid_sections(results, force, drawn, remarks):
     region = solids.region_of(last)
     figures = [(solids.crack_picture(fields, region),
                 caption(results, force, time, text)) for time, text, fields in drawn]
-    note = solids.NOTE
+    text = solids.NOTE
     if solids.is_enlarged(last, region):
-        note = note.replace("the edges of the undeformed body",
+        text = text.replace("the edges of the undeformed body",
                             "a box of %s from the undeformed body"
                             % words.number((region[1] - region[0]).max(), "mm"))
     return section("The crack", row(figures, solids.common_window(
-        [solids.corners_of(region)])) + "<p class=\"note\">%s</p>" % note
+        [solids.corners_of(region)])) + note(text)
         + sheet_part(results, remarks), "long") \
         + sections_part(results, region, *drawn[-1]) + body_section(results, drawn)
 
@@ -173,9 +186,9 @@ def sections_part(results, region, time, text, fields):
                         % (("xyz"[axis], words.number(position, "mm"))
                            + tuple("xyz"[i] for i in solids.section_axes(axis)))))
         windows.append(window)
-    note = "Phase field φ in three planes %s (%s)." % (
-        escaped(text or "at " + words.number(time, "s")), place(results, time))
-    return section("Sections", "<p class=\"note\">%s</p>" % note
+    text = note("Phase field φ in three planes %s (%s)." % (
+        escaped(text or "at " + words.number(time, "s")), place(results, time)))
+    return section("Sections", text
                    + row_of_equal_height(figures, windows, 22.) + color_bar(), "long")
 
 
@@ -186,9 +199,9 @@ def path_part(results, fields, remarks):
         return sheet_part(results, remarks)
     cracks = crack_path.cracks_at_end(results.directory, remarks)
     if not cracks:
-        return "<p class=\"note\">%s</p>" % (
-            "No path is drawn: there is no crack_path.csv." if cracks is None else
-            "No path is drawn: crack_path.csv holds no crack.")
+        return note("No path is drawn: " + (
+            "there is no crack_path.csv." if cracks is None else
+            "crack_path.csv holds no crack."))
     text = ""
     if fields is not None:
         picture = pictures.path_picture(fields, cracks)
@@ -198,29 +211,21 @@ def path_part(results, fields, remarks):
             "45%" if wide else "24%",
             figures_of([(picture, "<b>Path</b>disc: start, square: end", "100%")]))
     inside = "inside the body"  # an end without a name is a tip
-    rows = "".join(
-        "<tr><td><i style=\"background: %s\"></i>%d</td>%s</tr>"
-        % (pictures.path_color(i), crack.number,
-           "".join("<td>%s</td>" % escaped(value) for value in (
-               crack.start or inside, crack.end or inside, words.known(crack.length),
-               words.known(crack.angle))))
-        for i, crack in enumerate(cracks))
-    return "<div class=\"paths\">%s%s</div>" % (text, table_of(
-        ("crack", "starts at", "ends at", "length (mm)", "kink angle (°)"), rows))
-
-
-def table_of(header, rows):
-    return "<table><tr>%s</tr>%s</table>" % (
-        "".join("<th>%s</th>" % name for name in header), rows)
+    rows = [["<i style=\"background: %s\"></i>%d" % (pictures.path_color(i), crack.number),
+             escaped(crack.start or inside), escaped(crack.end or inside),
+             words.known(crack.length), words.known(crack.angle)]
+            for i, crack in enumerate(cracks)]
+    return element("div", text + table_of(rows, (
+        "crack", "starts at", "ends at", "length (mm)", "kink angle (°)")), "paths")
 
 
 def sheet_part(results, remarks):
     """The cracks in space as a table."""
     sheets = crack_path.rows_at_end(results.directory, crack_path.SHEETS, remarks)
     if not sheets:
-        return "<p class=\"note\">%s</p>" % (
-            "No table of cracks: there is no crack_sheet.csv." if sheets is None else
-            "No table of cracks: crack_sheet.csv holds no crack.")
+        return note("No table of cracks: " + (
+            "there is no crack_sheet.csv." if sheets is None else
+            "crack_sheet.csv holds no crack."))
 
     def figures(row, *names):
         return [words.known(safe.finite(row.get(name))) for name in names]
@@ -230,20 +235,19 @@ def sheet_part(results, remarks):
         return words.known(None) if None in parts else ", ".join(
             "%.2f" % (round(part, 2) + 0.) for part in parts)  # no -0.00
 
-    rows = "".join("<tr>%s</tr>" % "".join("<td>%s</td>" % escaped(value) for value in (
-        [str(number), row.get("start") or "unknown", row.get("joins") or ""]
-        + figures(row, "area_mm2", "front_length_mm")
-        + [normal(row)]
-        + figures(row, "mean_tip_speed_mm_per_s", "largest_tip_speed_mm_per_s",
-                  "mean_opening_angle_deg"))) for number, row in sheets)
+    rows = [[str(number), escaped(row.get("start") or "unknown"),
+             escaped(row.get("joins") or "")]
+            + figures(row, "area_mm2", "front_length_mm") + [normal(row)]
+            + figures(row, "mean_tip_speed_mm_per_s", "largest_tip_speed_mm_per_s",
+                      "mean_opening_angle_deg") for number, row in sheets]
     displacement = safe.finite(sheets[0][1].get("displacement_mm"))
     where = "" if displacement is None else " at " + words.number(displacement, "mm")
-    note = "The cracks%s, when they have changed last. Front 0: none is left in the " \
-        "material." % where
-    return "<div class=\"paths\">%s</div><p class=\"note\">%s</p>" % (table_of(
-        ("crack", "starts at", "has come to", "area (mm²)", "front (mm)",
-         "mean normal", "mean tip speed (mm/s)", "largest tip speed (mm/s)",
-         "opening angle (°)"), rows), note)
+    return element("div", table_of(rows, (
+        "crack", "starts at", "has come to", "area (mm²)", "front (mm)", "mean normal",
+        "mean tip speed (mm/s)", "largest tip speed (mm/s)", "opening angle (°)")),
+                   "paths") \
+        + note("The cracks%s, when they have changed last. Front 0: none is left in the "
+               "material." % where)
 
 
 def body_section(results, drawn):
@@ -273,19 +277,17 @@ def body_section(results, drawn):
                            escaped(place(results, time)),
                            "true to scale" if scale == 1. else
                            "displacement × " + words.number(scale))))
-    note = "Cells that reach φ below %s%s are left out of the deformed body." % (
+    text = "Cells that reach φ below %s%s are left out of the deformed body." % (
         pictures.BROKEN, "" if artist is solids else
         ", or are stretched more than %g times," % pictures.TORN)
     return section("Mesh and deformation", row_of_equal_height(figures, windows)
-                   + ("<p class=\"note\">%s</p>" % note if bodies else ""), "long")
+                   + (note(text) if bodies else ""), "long")
 
 
 def cells_at(results, time, fields):
-    row_number = step_at(results, time)
-    cells = results.column("cells")
-    if row_number is None or cells is None:
-        return words.number(len(fields.faces)) + " drawn"
-    return words.number(cells[row_number])
+    row_number, cells = step_at(results, time), results.column("cells")
+    return words.number(len(fields.faces)) + " drawn" \
+        if row_number is None or cells is None else words.number(cells[row_number])
 
 
 def step_at(results, time):
@@ -299,11 +301,9 @@ def step_at(results, time):
 
 def place(results, time):
     """Where on the curve a moment lies."""
-    index = step_at(results, time)
-    x = results.column("displacement_mm")
-    if index is None or x is None:
-        return "t = " + words.number(time, "s")
-    return words.number(x[index], "mm")
+    index, x = step_at(results, time), results.column("displacement_mm")
+    return "t = " + words.number(time, "s") if index is None or x is None \
+        else words.number(x[index], "mm")
 
 
 def caption(results, force, time, text):
@@ -344,12 +344,12 @@ def row_of_equal_height(figures, windows, highest=36.):
 
 def figures_of(figures):
     """[(png, caption, CSS width)] as HTML."""
-    return "<div class=\"pictures\">%s</div>" % "".join(
+    return element("div", "".join(
         "<figure style=\"width: %s\"><img alt=\"%s\" "
         "src=\"data:image/png;base64,%s\"><figcaption>%s</figcaption></figure>"
         % (width, re.sub("<[^>]*>", " ", label).strip(),
            base64.b64encode(png).decode("ascii"), label)
-        for png, label, width in figures)
+        for png, label, width in figures), "pictures")
 
 
 def color_bar():
@@ -358,54 +358,46 @@ def color_bar():
         % pictures.CSS_GRADIENT
 
 
-def energy_section(results):
-    drawing = curves.energy_curves(results)
-    return "" if drawing is None else section("Energies", drawing)
+def drawn_section(title, draw, results):
+    drawing = draw(results)
+    return "" if drawing is None else section(title, drawing)
 
 
-def step_section(results):
-    drawing = curves.step_curves(results)
-    return "" if drawing is None else section("Steps", drawing)
-
-
-def table(rows):
-    return "<table>%s</table>" % "".join(
-        "<tr><td>%s</td><td>%s</td></tr>" % (escaped(name), escaped(value))
-        for name, value in rows)
+def table(pairs):
+    return table_of([map(escaped, pair) for pair in pairs])
 
 
 def table_section(results):
     left = table(words.run_table(results)) if results.summary else \
-        "<p class=\"note\">No summary yet.</p>"
+        note("No summary yet.")
     chosen = [(path.split("/")[-1], value)
               for path, value in results.parameters.items() if value != ""
               and path.split("/")[0] in ("Model", "Material", "Boundary conditions")
               and path.count("/") == 1]
-    right = table(chosen) if chosen else \
-        "<p class=\"note\">There is no parameters.prm.</p>"
+    right = table(chosen) if chosen else note("There is no parameters.prm.")
     text = "<div class=\"tables\"><div><h3>Result</h3>%s</div>" \
         "<div><h3>Model and material</h3>%s</div></div>" % (left, right)
     if results.parameters:
-        groups = {}
-        for path, value in results.parameters.items():
-            group, _, name = path.rpartition("/")
-            groups.setdefault(group, []).append((name, value))
+        groups = safe.grouped((path.rpartition("/") + (value,) for path, value
+                               in results.parameters.items()), lambda parts: parts[0])
         text += "<details><summary>All parameters</summary><div>%s</div></details>" \
             % "".join("<section><h3>%s</h3>%s</section>"
-                      % (escaped(group or "General"), table(rows))
+                      % (escaped(group or "General"), table(row[2:] for row in rows))
                       for group, rows in groups.items())
     return section("The run", text, "long")
 
 
 def section(title, content, kind=""):
-    return "<section%s><h2>%s</h2>%s</section>\n" \
-        % (" class=\"%s\"" % kind if kind else "", escaped(title), content)
+    return element("section", element("h2", escaped(title)) + content, kind) + "\n"
 
 
 def foot(results):
     program = " ".join(str(results.summary[name]) for name in
                        ("program", "version", "revision") if results.summary.get(name))
-    return "<footer>%s. Page made on %s from %s.</footer>" \
-        % (escaped(program or "mixed-cracks"),
-           datetime.datetime.now().strftime("%d %B %Y, %H:%M"),
-           escaped(os.path.abspath(results.directory)))
+    return footer(program or "mixed-cracks", results.directory, "%H:%M")
+
+
+def footer(program, directory, clock):
+    return "<footer>%s. Page made on %s from %s.</footer>" % (
+        escaped(program), datetime.datetime.now().strftime("%d %B %Y, " + clock),
+        escaped(os.path.abspath(directory)))

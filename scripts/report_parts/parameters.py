@@ -24,8 +24,7 @@ def parameters_of(text, folder="", depth=0):
         if line.startswith("subsection "):
             section.append(line[len("subsection "):].strip())
         elif line == "end":
-            if section:
-                section.pop()
+            del section[-1:]
         elif line.startswith("include ") and depth < DEEPEST:
             name = os.path.join(folder, line[len("include "):].strip())
             values.update(parameters_of(read_text(name) or "", os.path.dirname(name),

@@ -4,8 +4,9 @@ import io
 
 import matplotlib
 import numpy as np
+from matplotlib.cm import ScalarMappable
 from matplotlib.collections import LineCollection
-from matplotlib.colors import LinearSegmentedColormap
+from matplotlib.colors import LinearSegmentedColormap, Normalize
 from matplotlib.figure import Figure
 
 from . import vtu
@@ -89,21 +90,24 @@ def canvas(window, pixels=560):
     sides `pixels` long, and axes that fill it."""
     low, high = window
     size = high - low
-    scale = pixels / max(size.max(), 1e-300)
-    size = np.maximum(size * scale, 40.)
+    size = np.maximum(size * pixels / max(size.max(), 1e-300), 40.)
     figure = Figure(figsize=tuple(size / 100.), dpi=100)
     axes = figure.add_axes([0, 0, 1, 1])
-    axes.set_xlim(low[0], high[0])
-    axes.set_ylim(low[1], high[1])
-    axes.set_aspect("equal")
-    axes.axis("off")
+    show(axes, window)
     return figure, axes
 
 
-def png_of(figure):
+def show(axes, window):
+    """Of axes this window, with equal scales and without a frame."""
+    (x0, y0), (x1, y1) = window
+    axes.set(xlim=(x0, x1), ylim=(y0, y1), aspect="equal")
+    axes.axis("off")
+
+
+def png_of(figure, dpi=150):
     stream = io.BytesIO()
     with matplotlib.rc_context({"savefig.facecolor": "white"}):
-        figure.savefig(stream, format="png", dpi=150,
+        figure.savefig(stream, format="png", dpi=dpi,
                        metadata={"Software": None}, pil_kwargs={"optimize": True})
     return stream.getvalue()
 
@@ -127,13 +131,31 @@ def lines(axes, points, pairs, width, color=OUTLINE):
                                        linewidths=width, capstyle="round"))
 
 
+def draw_outline(axes, fields, width=0.8, color=OUTLINE):
+    """Of the undeformed body, where it is flat."""
+    if is_flat(fields):
+        lines(axes, fields.points, outline_of(fields.points, fields.faces), width,
+              color)
+
+
+def draw_body(axes, fields, points, faces, width=0.8):
+    """The phase field, and the outline of a flat body."""
+    phase_field = fields.data.get("phase_field", np.ones(len(points)))
+    paint(axes, fields, points, faces, np.clip(phase_field, 0., 1.))
+    if is_flat(fields):
+        lines(axes, points, outline_of(fields.points, faces), width)
+
+
+def color_bar(figure, axes, colors, limits, ticks):
+    """To the right; ticks: numbers, or what chooses them."""
+    figure.colorbar(ScalarMappable(Normalize(*limits), colors), cax=axes, ticks=ticks,
+                    orientation="horizontal").outline.set_visible(False)
+
+
 def phase_field_picture(fields):
     """PNG of the phase field on the undeformed body."""
     figure, axes = canvas(window_of(fields.points))
-    paint(axes, fields, fields.points, fields.faces,
-          np.clip(fields.data["phase_field"], 0., 1.))
-    if is_flat(fields):
-        lines(axes, fields.points, outline_of(fields.points, fields.faces), 0.8)
+    draw_body(axes, fields, fields.points, fields.faces)
     return png_of(figure)
 
 
@@ -145,8 +167,7 @@ def path_picture(fields, cracks):
     """PNG of the outline with the paths of the cracks: a disc where one starts,
     a square where it ends."""
     figure, axes = canvas(window_of(fields.points))
-    if is_flat(fields):
-        lines(axes, fields.points, outline_of(fields.points, fields.faces), 0.8)
+    draw_outline(axes, fields)
     for index, crack in enumerate(cracks):
         x, y = zip(*crack.points)
         color = path_color(index)
@@ -196,10 +217,8 @@ def longest_edges(points, faces):
 
 def common_window(all_points):
     """One window for bodies that are to be compared by eye."""
-    windows = [window_of(points) for points in all_points]
-    low = np.min([window[0] for window in windows], axis=0)
-    high = np.max([window[1] for window in windows], axis=0)
-    return low, high
+    low, high = zip(*map(window_of, all_points))
+    return np.min(low, axis=0), np.max(high, axis=0)
 
 
 def unbroken_faces(fields, points, scale):
@@ -215,10 +234,6 @@ def unbroken_faces(fields, points, scale):
 def deformed_picture(fields, scale, window):
     """PNG of the deformed body without its broken cells."""
     points = deformed_points(fields, scale)
-    phase_field = fields.data.get("phase_field", np.ones(len(points)))
-    faces = unbroken_faces(fields, points, scale)
     figure, axes = canvas(window, 780)
-    paint(axes, fields, points, faces, np.clip(phase_field, 0., 1.))
-    if is_flat(fields):
-        lines(axes, points, outline_of(fields.points, faces), 0.7)
+    draw_body(axes, fields, points, unbroken_faces(fields, points, scale), 0.7)
     return png_of(figure)

@@ -94,11 +94,9 @@ def read_summary(path, remarks):
 
 def read_log_warnings(path, largest=8):
     """Lines of the log that begin with "warning", each once."""
-    found = []
-    for line in (read_text(path) or "").splitlines():
-        line = line.strip()
-        if re.match(r"warning\b", line, re.IGNORECASE) and line not in found:
-            found.append(line)
+    lines = map(str.strip, (read_text(path) or "").splitlines())
+    found = list(dict.fromkeys(
+        line for line in lines if re.match(r"warning\b", line, re.IGNORECASE)))
     if len(found) > largest:
         found[largest:] = ["… and %d more in log.txt" % (len(found) - largest)]
     return found

@@ -3,9 +3,11 @@
 another program; and files that nobody finds in such a state. Python's own library
 only."""
 import csv
+import hashlib
 import json
 import math
 import os
+import sys
 
 # What is larger is no measure of a body in mm, N, MPa or s, and breaks drawing.
 LARGEST = 1e30
@@ -21,6 +23,41 @@ def read_text(path):
             return stream.read()
     except (OSError, ValueError):
         return None
+
+
+def read_json(path):
+    """What a JSON file holds; None when there is none, or a damaged one."""
+    try:
+        return json.loads(read_text(path) or "")
+    except ValueError:
+        return None
+
+
+def checksum_of(path):
+    """SHA-256 of a file, however large."""
+    digest = hashlib.sha256()
+    with open(path, "rb") as stream:
+        for part in iter(lambda: stream.read(1 << 20), b""):
+            digest.update(part)
+    return digest.hexdigest()
+
+
+def in_words(error):
+    """An error that nobody foresaw, on one line."""
+    return "%s: %s" % (type(error).__name__, " ".join(str(error).split())[:300])
+
+
+def ended(script, known, what, function, *arguments):
+    """The exit status of a script that function does the work of: 2 with a line where
+    it raises a known kind of error, and where files hold what nobody foresaw."""
+    try:
+        function(*arguments)
+        return 0
+    except (known, OSError) as error:
+        print("%s: %s" % (script, error), file=sys.stderr)
+    except Exception as error:  # no trace of the inside
+        print("%s: %s (%s)" % (script, what, in_words(error)), file=sys.stderr)
+    return 2
 
 
 def write_whole(path, text):
@@ -43,17 +80,21 @@ def finite(text):
     return value if abs(value) <= LARGEST else None
 
 
-def is_number(text):
-    """Whether it is written as a number, finite or not."""
+def is_number_or_empty(text):
+    """Whether a number is written there, finite or not, or nothing."""
     try:
-        float(text)
+        float(text.strip() or 0)
         return True
-    except (TypeError, ValueError, OverflowError):
+    except ValueError:
         return False
 
 
-def is_number_or_empty(text):
-    return not text.strip() or is_number(text)
+def grouped(items, key):
+    """{key(item): items}, in the order in which they come."""
+    found = {}
+    for item in items:
+        found.setdefault(key(item), []).append(item)
+    return found
 
 
 def fields_of(line):
@@ -116,11 +157,8 @@ def json_object(text):
         raise ValueError("too many brackets")
     if not isinstance(value, dict):
         raise ValueError("not an object")
-    found = {}
-    for key, entry in cleaned(value).items():
-        kind = KINDS.get(key, (bool, int, float, str))
-        if entry is not None and isinstance(entry, kind):
-            found[key] = entry
+    found = {key: entry for key, entry in cleaned(value).items()
+             if isinstance(entry, KINDS.get(key, (bool, int, float, str)))}
     phases = found.get("seconds_per_phase", {})
     for name in [name for name in phases if finite(phases[name]) is None]:
         del phases[name]

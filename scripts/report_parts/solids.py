@@ -131,10 +131,9 @@ def draw_crack(axes, fields, region):
     add_edges(axes, edges, towards, hidden=False)
 
 
-def crack_picture(fields, region=None, pixels=560):
+def crack_picture(fields, region):
     """PNG of the surface of the crack."""
-    region = region or region_of(fields)
-    figure, axes = pictures.canvas(common_window([corners_of(region)]), pixels)
+    figure, axes = pictures.canvas(common_window([corners_of(region)]))
     draw_crack(axes, fields, region)
     return pictures.png_of(figure)
 
@@ -175,19 +174,19 @@ def section_window(region, axis):
     return pictures.window_of(corners_of(region)[:, list(section_axes(axis))])
 
 
-def section_picture(fields, axis, position, region=None):
+def section_picture(fields, axis, position, region):
     """(PNG of the phase field in a plane, its window)."""
-    window = section_window(region or region_of(fields), axis)
+    window = section_window(region, axis)
     figure, axes = pictures.canvas(window)
     draw_section(axes, fields, axis, position)
     return pictures.png_of(figure), window
 
 
-def surface_picture(points, faces, normals, values, window, pixels=780):
+def surface_picture(points, faces, normals, values, window):
     """PNG of the faces that are turned to the viewer, with their edges, coloured
     by the phase field (one value for each face)."""
     visible = normals @ view()[2] > 0.
-    figure, axes = pictures.canvas(window, pixels)
+    figure, axes = pictures.canvas(window, 780)
     if visible.any():
         colors = shaded(pictures.COLORS(values[visible])[:, :3], normals[visible])
         width = float(np.clip(22. / np.sqrt(visible.sum()), 0.1, 0.6))

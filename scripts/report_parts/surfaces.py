@@ -19,9 +19,7 @@ def pieces_of_cut():
         low = [i for i in range(4) if below[i]]
         high = [i for i in range(4) if not below[i]]
         if len(low) == 2:
-            a, b, c, d = [(i, j) for i, j in
-                          ((low[0], high[0]), (low[0], high[1]),
-                           (low[1], high[1]), (low[1], high[0]))]
+            a, b, c, d = ((low[i], high[j]) for i, j in ((0, 0), (0, 1), (1, 1), (1, 0)))
             table[below] = [(a, b, c), (a, c, d)]
         elif low and high:
             table[below] = [tuple((i, j) for i in low for j in high)]

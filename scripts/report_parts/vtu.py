@@ -7,13 +7,12 @@ several pieces: what deal.II writes. Appended data are not.
 import base64
 import os
 import re
-import struct
 import xml.etree.ElementTree as ElementTree
 import zlib
 
 import numpy as np
 
-from .safe import LARGEST, finite
+from .safe import LARGEST, finite, read_text
 
 TYPES = {"Float32": "f4", "Float64": "f8", "Int8": "i1", "UInt8": "u1",
          "Int16": "i2", "UInt16": "u2", "Int32": "i4", "UInt32": "u4",
@@ -22,14 +21,15 @@ TYPES = {"Float32": "f4", "Float64": "f8", "Int8": "i1", "UInt8": "u1",
 # Faces of the VTK cell types that are drawn, as local corner numbers. Higher
 # order (Lagrange) cells begin with their corners, so these serve them too.
 QUADRILATERAL = [(0, 1, 2, 3)]
-TRIANGLE = [(0, 1, 2)]
+TRIANGLE = [(0, 1, 2, 2)]
 HEXAHEDRON = [(0, 1, 2, 3), (4, 5, 6, 7), (0, 1, 5, 4),
               (1, 2, 6, 5), (2, 3, 7, 6), (3, 0, 4, 7)]
-TETRAHEDRON = [(0, 1, 2), (0, 1, 3), (1, 2, 3), (0, 2, 3)]
+TETRAHEDRON = [(0, 1, 2, 2), (0, 1, 3, 3), (1, 2, 3, 3), (0, 2, 3, 3)]
 FACES = {5: TRIANGLE, 69: TRIANGLE, 9: QUADRILATERAL, 70: QUADRILATERAL,
          10: TETRAHEDRON, 71: TETRAHEDRON, 12: HEXAHEDRON, 72: HEXAHEDRON}
 
 
+# a triangle repeats its last corner
 N_CORNERS = {kind: 1 + max(max(face) for face in faces)
              for kind, faces in FACES.items()}
 
@@ -54,11 +54,7 @@ class Fields:
 
 def read_collection(directory):
     """[(time, path)] of fields.pvd, by time, files that exist only."""
-    try:
-        with open(os.path.join(directory, "fields.pvd"), errors="replace") as stream:
-            text = stream.read()
-    except OSError:
-        return []
+    text = read_text(os.path.join(directory, "fields.pvd")) or ""
     entries = {}
     # no XML parser: the collection of a killed run may end anywhere
     for attributes in re.findall(r"<DataSet\b([^>]*)>", text):
@@ -92,11 +88,10 @@ def decoded(element, header_type, compressed, order):
     if not text:
         return np.zeros(0, number)
     if not compressed:
-        raw = base64.b64decode(text)
-        return np.frombuffer(raw[size:], number)
+        return np.frombuffer(base64.b64decode(text)[size:], number)
     # header: number of blocks, block size, last block size, compressed sizes
-    n_blocks = struct.unpack(letter,
-                             base64.b64decode(text[:encoded_length(size)])[:size])[0]
+    n_blocks = int(np.frombuffer(base64.b64decode(text[:encoded_length(size)])[:size],
+                                 letter)[0])
     header_length = encoded_length((3 + n_blocks) * size)
     header = np.frombuffer(base64.b64decode(text[:header_length]),
                            np.dtype(letter))[3:3 + n_blocks]
@@ -127,11 +122,8 @@ def read_piece_file(path, names):
             continue
         cells = {e.get("Name"): array(e) for e in piece.find("Cells")}
         points = array(piece.find("Points")[0]).reshape(-1, 3)
-        data = {}
-        point_data = piece.find("PointData")
-        for element in ([] if point_data is None else point_data):
-            if element.get("Name") in names:
-                data[element.get("Name")] = array(element)
+        data = {e.get("Name"): array(e) for e in piece.iterfind("PointData/*")
+                if e.get("Name") in names}
         if len(points) != n_points:
             raise FieldError("it holds fewer points than it says")
         pieces.append((points.astype(float), cells["connectivity"].astype(int),
@@ -168,18 +160,12 @@ def faces_of(connectivity, offsets, types):
     """(faces, is_volume): corners of every face of every cell, 4 each."""
     begins = np.concatenate([[0], offsets[:-1]])
     faces, is_volume = [], False
-    for kind in np.unique(types):
-        if kind not in FACES:
-            continue
+    for kind in sorted(FACES.keys() & set(types)):
         starts = begins[types == kind]
         is_volume = is_volume or len(FACES[kind]) > 1
-        for corners in FACES[kind]:
-            if len(corners) == 3:
-                corners = corners + (corners[-1],)
-            faces.append(connectivity[starts[:, None] + np.array(corners)])
-    if not faces:
-        return np.zeros((0, 4), int), is_volume
-    return np.concatenate(faces), is_volume
+        faces += [connectivity[starts[:, None] + np.array(corners)]
+                  for corners in FACES[kind]]
+    return np.concatenate(faces or [np.zeros((0, 4), int)]), is_volume
 
 
 def hexahedra_of(connectivity, offsets, types):
@@ -253,8 +239,7 @@ def read_fields(path, names):
     except FieldError as error:
         raise FieldError("%s: %s" % (os.path.basename(path), error))
     except (OSError, ElementTree.ParseError, ValueError, LookupError, TypeError,
-            AttributeError, ArithmeticError, MemoryError, zlib.error,
-            struct.error) as error:
+            AttributeError, ArithmeticError, MemoryError, zlib.error) as error:
         raise FieldError("%s cannot be read (%s)" % (os.path.basename(path), error))
     if not pieces:
         raise FieldError("%s holds no cells" % os.path.basename(path))

@@ -8,6 +8,16 @@ from .quantities import label, words_and_unit
 from .safe import finite
 
 
+# of a summary, in the table of a run: what comes first, and what has another name
+FIRST = ("program", "version", "revision", "case", "ranks", "cells", "dofs", "steps",
+         "coupling", "peak_force_N", "displacement_at_peak_mm", "time_at_peak_s",
+         "remaining_force_fraction", "separated", "force_fell", "outcome",
+         "outcome_start", "exit_reason", "exit_status", "wall_time_s")
+LABELS = {"dofs": "Unknowns", "steps": "Accepted steps", "wall_time_s": "Wall time",
+          "remaining_force_fraction": "Remaining force / peak",
+          "outcome_start": "Crack starts at"}
+
+
 def title_of(results):
     name = os.path.basename(os.path.realpath(results.directory))
     name = name.replace("_", " ").replace("-", " ").strip() or "result"
@@ -22,10 +32,8 @@ def number(value, unit="", digits=4):
         return str(value)
     if not math.isfinite(value):
         return "–"
-    if value == int(value) and abs(value) < 1e15:
-        text = "{:,}".format(int(value)).replace(",", "\u202f")
-    else:
-        text = "%.*g" % (digits, value)
+    text = "{:,}".format(int(value)).replace(",", "\u202f") \
+        if value == int(value) and abs(value) < 1e15 else "%.*g" % (digits, value)
     return text + ("\u00a0" + unit if unit else "")
 
 
@@ -34,15 +42,10 @@ def known(value):
 
 
 def duration(seconds):
-    try:
-        seconds = float(seconds)
-    except (TypeError, ValueError, OverflowError):
-        return str(seconds)
-    if not math.isfinite(seconds):
-        return "–"
-    if seconds < 120.:
+    known_seconds = finite(seconds)
+    if known_seconds is None or known_seconds < 120.:
         return number(seconds, "s", 3)
-    minutes = int(round(seconds / 60.))
+    minutes = int(round(known_seconds / 60.))
     return "%d\u00a0min" % minutes if minutes < 120 else \
         "%d\u00a0h %02d\u00a0min" % divmod(minutes, 60)
 
@@ -51,42 +54,34 @@ def geometry_in_words(results):
     name = results.parameter("Geometry/Name")
     if name is None:
         return ""
-    own = "Geometry/%s/" % (name[:1].upper() + name[1:])
-    width, height = results.number(own + "Width"), results.number(own + "Height")
     text = name[:1].upper() + name[1:]
+    own = "Geometry/%s/" % text
+    width, height = results.number(own + "Width"), results.number(own + "Height")
     if width is not None and height is not None:
         text += " of %s × %s" % (number(width), number(height, "mm"))
     details = []
-    radius = results.number(own + "Hole radius")
-    if radius:
-        center = results.parameter(own + "Hole center")
-        details.append("a hole of radius %s" % number(radius, "mm")
-                       + (" at (%s)" % center if center else ""))
-    length = results.number(own + "Notch length")
-    if length:
-        at = results.number(own + "Notch height")
-        details.append("a notch of %s" % number(length, "mm")
-                       + (" at height %s" % number(at, "mm") if at is not None else ""))
+    for what, entry, where, other in (
+            ("a hole of radius %s", "Hole radius", " at (%s)", "Hole center"),
+            ("a notch of %s", "Notch length", " at height %s", "Notch height")):
+        size, at = results.number(own + entry), results.parameter(own + other)
+        if size:  # a center is no number, and stays as it is
+            details.append(what % number(size, "mm")
+                           + (where % number(at, "mm") if at else ""))
     return text + (" with " + " and ".join(details) if details else "")
 
 
 def case_in_words(results):
     """Sentences on geometry, model and material; what is not known is left
     out."""
-    sentences = []
-    geometry = geometry_in_words(results)
-    if geometry:
-        sentences.append(geometry)
-    elif isinstance(results.summary.get("case"), str):
-        sentences.append(results.summary["case"])
-    model = []
-    formulation = results.parameter("Model/Formulation")
-    if formulation:
-        model.append("%s formulation" % formulation)
-    finite_only = ("Strains", "Hyperelastic law")
-    is_finite = results.parameter("Model/Strains") == "finite"
-    for entry, text in (("Kinematics", "%s"), ("Strains", "%s strain"),
-                        ("Hyperelastic law", "%s law"),
+    geometry = geometry_in_words(results) or results.summary.get("case")
+    sentences = [geometry] if geometry else []
+    model, left_out = [], set()
+    if results.parameter("Model/Strains") != "finite":
+        left_out |= {"Strains", "Hyperelastic law"}
+    if results.parameter("Model/Formulation") == "displacement":
+        left_out.add("Pressure law")
+    for entry, text in (("Formulation", "%s formulation"), ("Kinematics", "%s"),
+                        ("Strains", "%s strain"), ("Hyperelastic law", "%s law"),
                         ("Crack density", "crack density %s"),
                         ("Energy split", "split %s"),
                         ("Pressure law", "pressure law %s"),
@@ -95,11 +90,9 @@ def case_in_words(results):
         value = results.parameter("Model/" + entry)
         if entry == "Kinematics" and results.is_3d:
             value = "3-d"
-        if entry in finite_only and not is_finite:
-            continue
-        if value and not (entry == "Pressure law" and formulation == "displacement"):
-            if entry == "Length scale":
-                value = number(value, "mm") if is_number(value) else value
+        if entry == "Length scale" and is_number(value):
+            value = number(value, "mm")
+        if value and entry not in left_out:
             model.append(text % value)
     if model:
         text = ", ".join(model)
@@ -213,46 +206,23 @@ def remarks_of(results, force):
                 "The separated body still carries %.0f %% of the peak force: the "
                 "residual stiffness and the pressure in the damaged band "
                 "(doc/model.md, section 3)." % (100. * float(fraction)))
-    warnings = summary.get("warnings")
-    if not isinstance(warnings, list):  # a run that has not come to its summary
-        warnings = results.log_warnings
-    return remarks + [str(warning) for warning in warnings]
+    # the log has those of a run that has not come to its summary
+    return remarks + list(map(str, summary.get("warnings", results.log_warnings)))
 
 
 def run_table(results):
     """[(label, value)] of what the summary says."""
-    summary = results.summary
-    names = [("program", "Program"), ("version", "Version"),
-             ("revision", "Revision"), ("case", "Case"), ("ranks", "Ranks"),
-             ("cells", "Cells"), ("dofs", "Unknowns"), ("steps", "Accepted steps"),
-             ("coupling", "Coupling"), ("peak_force_N", label("peak_force_N")),
-             ("displacement_at_peak_mm", label("displacement_at_peak_mm")),
-             ("time_at_peak_s", label("time_at_peak_s")),
-             ("remaining_force_fraction", "Remaining force / peak"),
-             ("separated", "Separated"), ("force_fell", "Force fell"),
-             ("outcome", "Outcome"),
-             ("outcome_start", "Crack starts at"),
-             ("exit_reason", "Exit reason"), ("exit_status", "Exit status"),
-             ("wall_time_s", "Wall time")]
-    rows = []
-    for name, text in names:
+    summary, rows = results.summary, []
+    for name in dict.fromkeys(FIRST + tuple(summary)):
         value = summary.get(name)
-        if value is None:
+        if not isinstance(value, (str, int, float)):
             continue
         if name == "wall_time_s":
             value = duration(value)
         elif isinstance(value, bool):
             value = "yes" if value else "no"
-        elif isinstance(value, (int, float)):
+        elif not isinstance(value, str):
             value = number(value)
-        rows.append((text, str(value)))
-    known = {name for name, _ in names}
-    for name, value in summary.items():
-        if name not in known and isinstance(value, (str, int, float)):
-            rows.append((label(name),
-                         "yes" if value is True else "no" if value is False else
-                         value if isinstance(value, str) else number(value)))
-    phases = summary.get("seconds_per_phase")
-    for name, seconds in (phases.items() if isinstance(phases, dict) else ()):
-        rows.append(("Time for " + name, duration(seconds)))
-    return rows
+        rows.append((LABELS.get(name) or label(name), value))
+    return rows + [("Time for " + name, duration(seconds)) for name, seconds
+                   in summary.get("seconds_per_phase", {}).items()]

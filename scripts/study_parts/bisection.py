@@ -58,10 +58,8 @@ def next_values(known, low, high, tolerance, at_once=1):
         raise StudyError("the run at %g has failed: no answer to start from"
                          % failed[0])
     bracket = bracket_of(known, low, high)
-    width = bracket.high - bracket.low
-    if width <= tolerance * (1. + 1e-9):
-        return []
-    return between(known, bracket, tolerance, at_once)
+    return between(known, bracket, tolerance, at_once) \
+        if bracket.high - bracket.low > tolerance * (1. + 1e-9) else []
 
 
 def between(known, bracket, tolerance, at_once):

@@ -109,8 +109,8 @@ class Comparison:
                                                               100. * found.covered))
 
     def own_path(self):
-        cracks = crack_path.cracks_at_end(self.run.results.directory, []) or []
-        return [np.array(crack.points) for crack in cracks if len(crack.points) > 1]
+        return [np.array(line) for line in
+                crack_path.lines_at_end(self.run.results.directory) or ()]
 
     def add_path(self):
         if not self.path:
@@ -152,9 +152,8 @@ def read_tolerances(words):
     found = {}
     for word in words:
         name, equals, text = word.partition("=")
-        percent = text.endswith("%")
         try:
-            value = float(text.rstrip("%")) * (0.01 if percent else 1.)
+            value = float(text.rstrip("%")) * (0.01 if text.endswith("%") else 1.)
         except ValueError:
             value = -1.
         if not equals or name not in list(QUANTITIES) + ["scatter"] \
@@ -169,25 +168,19 @@ def read_tolerances(words):
 def judged(found, tolerances):
     """Lines that say what does not meet a tolerance; [] when all does. Without a
     figure of a quantity with a tolerance nothing is met."""
-    missed, n_outside = [], 0
-    for entry in found:
-        if not entry.has_reference:
-            continue
-        for figure in entry.figures:
-            figure.judge(tolerances)
-            n_outside += figure.is_inside is False
-            if figure.met is False:
-                missed.append("%s: %s %s, allowed %g" % (
-                    entry.run.name, figure.quantity, shown_deviation(figure),
-                    tolerances[figure.quantity]))
-    figures = [figure for entry in found for figure in entry.figures
-               if entry.has_reference]
+    missed, figures = [], [(entry.run.name, figure) for entry in found
+                           if entry.has_reference for figure in entry.figures]
+    for run, figure in figures:
+        figure.judge(tolerances)
+        if figure.met is False:
+            missed.append("%s: %s %s, allowed %g" % (
+                run, figure.quantity, shown_deviation(figure),
+                tolerances[figure.quantity]))
     for name in tolerances:
-        kinds = [f for f in figures if (f.inside is not None if name == "scatter"
-                                        else f.quantity == name
-                                        and (f.reference or not QUANTITIES[name][1]))]
-        if not kinds:
+        if not any(f.inside is not None if name == "scatter" else f.quantity == name
+                   and (f.reference or not QUANTITIES[name][1]) for _, f in figures):
             missed.append("%s: no run has such a reference" % name)
+    n_outside = sum(figure.is_inside is False for _, figure in figures)
     if n_outside > tolerances.get("scatter", math.inf):
         missed.append("scatter: %d figures lie outside, allowed %g"
                       % (n_outside, tolerances["scatter"]))

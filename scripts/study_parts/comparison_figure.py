@@ -4,33 +4,22 @@ import matplotlib
 import numpy as np
 from matplotlib.figure import Figure
 
-from report_parts import curves, pictures, vtu
+from report_parts import curves, pictures
+from sweep_parts import study_cracks
 
-from . import comparison
+from . import comparison, drawing
 
 OWN, OTHER, BAND = curves.BLUE, curves.INK, "#c9d0d6"
 
 
-def last_fields(directory):
-    """The last fields as far as the outline needs them, or None."""
-    collection = vtu.read_collection(directory)
-    if not collection:
-        return None
-    try:
-        return vtu.read_fields(collection[-1][1], ("phase_field",))
-    except vtu.FieldError:
-        return None
-
-
-def draw_outline(axes, directory):
-    fields = last_fields(directory)
-    if fields is None or not pictures.is_flat(fields):
-        return
-    pictures.lines(axes, fields.points,
-                   pictures.outline_of(fields.points, fields.faces), 0.8)
-    low, high = pictures.window_of(fields.points)
-    axes.set_xlim(low[0], high[0])
-    axes.set_ylim(low[1], high[1])
+def draw_outline(axes, run):
+    """Of the body at the end, if it is flat, in axes without a frame."""
+    fields, _ = study_cracks.fields_at_end(run)
+    if fields is not None and pictures.is_flat(fields):
+        pictures.draw_outline(axes, fields)
+        pictures.show(axes, pictures.window_of(fields.points))
+    axes.set_aspect("equal")
+    axes.axis("off")
 
 
 def draw_reference_curve(axes, points):
@@ -62,21 +51,16 @@ def draw_curves(axes, entry, unit):
         draw_reference_curve(axes, entry.curve)
     elif entry.peak:
         draw_reference_peak(axes, entry.peak)
-    axes.set_xlim(left=min(0., axes.dataLim.x0))
-    axes.set_ylim(bottom=min(0., axes.dataLim.y0))
-    axes.set_xlabel("Displacement (mm)")
-    axes.set_ylabel("Force (N)" if unit == "N" else "Force per thickness (N/mm)")
+    drawing.label(axes, unit != "N")
     axes.legend(loc="best", fontsize=8.8)
 
 
 def draw_paths(axes, entry):
-    draw_outline(axes, entry.run.results.directory)
+    draw_outline(axes, entry.run)
     for line in entry.path.lines if entry.path else ():
         axes.plot(*zip(*line), ls=(0, (4, 1.5)), color=OTHER, lw=1.6)
     for line in entry.own_path():
         axes.plot(line[:, 0], line[:, 1], "-", color=OWN, lw=1.6)
-    axes.set_aspect("equal")
-    axes.axis("off")
 
 
 def draw(entry, known):
@@ -84,8 +68,7 @@ def draw(entry, known):
     or the reference has one."""
     with matplotlib.rc_context(curves.STYLE):
         has_path = bool(entry.path or entry.own_path())
-        figure = Figure(figsize=(9.2 if has_path else 6.2, 4.2))
-        figure.set_facecolor("white")
+        figure = Figure(figsize=(9.2 if has_path else 6.2, 4.2), facecolor="white")
         axes = figure.subplots(1, 2, width_ratios=(1.7, 1.)) if has_path \
             else [figure.subplots()]
         draw_curves(axes[0], entry, comparison.UNITS[known.unit])

@@ -1,15 +1,11 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 """A comparison as Markdown, and as CSV with a row per run and quantity."""
-import csv
-import io
+from sweep_parts.table import csv_text
 
 from . import comparison
 
-PEAK_HEAD = ("| run | displacement at peak (mm) | reference | deviation | "
-             "peak force (%s) | reference | deviation |\n"
-             "|---|---:|---:|---:|---:|---:|---:|\n")
-SHAPE_HEAD = ("| run | curve, relative L2 | area between | path, mean distance (mm) | "
-              "Hausdorff distance (mm) |\n|---|---:|---:|---:|---:|\n")
+SHAPES = ("run", "curve, relative L2", "area between", "path, mean distance (mm)",
+          "Hausdorff distance (mm)")
 COLUMNS = ("run", "quantity", "unit", "computed", "reference", "deviation", "low",
            "high", "inside", "tolerance_met")
 NONE = "–"
@@ -26,10 +22,7 @@ def verdict(figure):
 
 
 def peak_cells(figure):
-    if figure.computed is None:
-        cells = [NONE]
-    else:
-        cells = ["%.4g" % figure.computed]
+    cells = [NONE if figure.computed is None else "%.4g" % figure.computed]
     if figure.reference is None:
         return cells + [NONE, NONE]
     band = " (%.4g to %.4g)" % figure.band if figure.band else ""
@@ -48,29 +41,34 @@ def shape_cell(figure):
 
 def scatter_counts(found):
     """A line per group of runs, of those that have scatter."""
-    counts = {}
+    groups = {}
     for entry in found:
-        for figure in entry.figures:
-            if figure.inside is not None:
-                count = counts.setdefault(entry.run.group, [0, 0])
-                count[0] += figure.is_inside
-                count[1] += 1
-    return ["%s: %d of %d figures lie within the scatter." % (group, *count)
-            for group, count in counts.items()]
+        groups.setdefault(entry.run.group, []).extend(
+            figure.is_inside for figure in entry.figures if figure.inside is not None)
+    return ["%s: %d of %d figures lie within the scatter." % (group, sum(own), len(own))
+            for group, own in groups.items() if own]
+
+
+def grid(head, rows):
+    """A table in Markdown; what stands behind the first column is numbers."""
+    return "| %s |\n|%s\n%s" % (
+        " | ".join(head), "---|" + (len(head) - 1) * "---:|",
+        "".join("| %s |\n" % " | ".join(row) for row in rows))
 
 
 def markdown(found, known, missed=()):
-    text = PEAK_HEAD % comparison.UNITS[known.unit]
-    for entry in found:
-        cells = sum(map(peak_cells, entry.figures[:2]), [])
-        text += "| %s |\n" % " | ".join([entry.run.name] + cells)
+    text = grid(("run", "displacement at peak (mm)", "reference", "deviation",
+                 "peak force (%s)" % comparison.UNITS[known.unit], "reference",
+                 "deviation"), (
+        [entry.run.name] + sum(map(peak_cells, entry.figures[:2]), [])
+        for entry in found))
     if known.curves or known.paths:
-        text += "\n" + SHAPE_HEAD
-        for entry in found:
-            by_name = {figure.quantity: figure for figure in entry.figures}
-            text += "| %s |\n" % " | ".join([entry.run.name] + [
-                shape_cell(by_name.get(name))
-                for name in ("curve", "area", "path", "hausdorff")])
+        by_name = [{figure.quantity: figure for figure in entry.figures}
+                   for entry in found]
+        text += "\n" + grid(SHAPES, (
+            [entry.run.name] + [shape_cell(own.get(name)) for name in
+                                ("curve", "area", "path", "hausdorff")]
+            for entry, own in zip(found, by_name)))
     used = set().union(*(known.used_by(entry.run.name) for entry in found))
     unused = [name for name in known.names() if name not in used]
     remarks = [remark for entry in found for remark in entry.remarks]
@@ -82,26 +80,11 @@ def markdown(found, known, missed=()):
                    if remarks else "")
 
 
-def as_text(value):
-    if value is None:
-        return ""
-    if isinstance(value, bool):
-        return "true" if value else "false"
-    return value if isinstance(value, str) else "%.10g" % value
-
-
 def table(found, known):
     """The text of a CSV file; shares as numbers, 0.05 for 5 %."""
-    stream = io.StringIO()
-    writer = csv.writer(stream, lineterminator="\n")
-    writer.writerow(COLUMNS)
-    for entry in found:
-        for figure in entry.figures:
-            unit = comparison.QUANTITIES[figure.quantity][0]
-            unit = {None: comparison.UNITS[known.unit], "%": "1"}.get(unit, unit)
-            low, high = figure.band or (None, None)
-            writer.writerow(map(as_text, (
-                entry.run.name, figure.quantity, unit, figure.computed,
-                figure.reference, figure.deviation, low, high, figure.inside,
-                figure.met)))
-    return stream.getvalue()
+    units = {None: comparison.UNITS[known.unit], "%": "1", "mm": "mm"}
+    return csv_text(COLUMNS, (
+        (entry.run.name, figure.quantity, units[comparison.QUANTITIES[figure.quantity][0]],
+         figure.computed, figure.reference, figure.deviation,
+         *(figure.band or (None, None)), figure.inside, figure.met)
+        for entry in found for figure in entry.figures))

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 """Bisections of several runs at a time: the values, the cases that carry them, and the
 report. Python's own library only; bisection.py has the logic of one."""
-import csv
-import io
+from report_parts.safe import finite
+from sweep_parts.table import csv_text
 
 from . import bisection, derived
 from .errors import StudyError
@@ -30,11 +30,9 @@ class Critical:
         """Values that an earlier bisection has asked for, of its {case: settings}."""
         for name in self.runs:
             for case, settings in before.items():
-                try:
-                    value = float(dict(settings).get(self.entry, ""))
-                except ValueError:
-                    continue
-                if case == case_name(name, value) and self.low <= value <= self.high:
+                value = finite(dict(settings).get(self.entry))
+                if value is not None and case == case_name(name, value) \
+                        and self.low <= value <= self.high:
                     self.wanted[name].append(value)
 
     def next_values(self, at_once):
@@ -60,8 +58,7 @@ class Critical:
         found = {}
         for name, values in self.wanted.items():
             for value in sorted(values):
-                settings = dict(self.runs[name])
-                settings[self.entry] = "%.12g" % value
+                settings = dict(self.runs[name], **{self.entry: "%.12g" % value})
                 found[case_name(name, value)] = list(settings.items())
         return found
 
@@ -106,15 +103,12 @@ def report(critical, study):
 
 def table(critical, study):
     """The text of a CSV file, a row per run."""
-    stream = io.StringIO()
-    writer = csv.writer(stream, lineterminator="\n")
-    writer.writerow(COLUMNS)
+    rows = []
     for name, bracket in critical.brackets().items():
         cases = [study.cases[case_name(name, value)] for value in bracket[:2]]
-        writer.writerow([name, "%.12g" % bracket.low, "%.12g" % bracket.high,
-                         bracket.low_answer, bracket.high_answer]
-                        + [case.name for case in cases] + [case.id for case in cases])
-    return stream.getvalue()
+        rows.append([name, *("%.12g" % value for value in bracket[:2]), *bracket[2:],
+                     *(case.name for case in cases), *(case.id for case in cases)])
+    return csv_text(COLUMNS, rows)
 
 
 def solve(critical, source, output, program, runs, at_once):

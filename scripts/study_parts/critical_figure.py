@@ -4,10 +4,8 @@ import matplotlib
 from matplotlib.figure import Figure
 
 from report_parts import curves
+from sweep_parts.study_curves import HUES
 
-from . import drawing
-
-COLORS = ("#2f6690", "#b5403a", "#4f8a5b", "#c08a2d", "#6d4c8f")
 ROW = 0.42  # inches
 
 
@@ -17,14 +15,13 @@ def draw(critical):
         answer for known in critical.known.values()
         for _, answer in sorted(known.items()) if answer is not None))
     with matplotlib.rc_context(curves.STYLE):
-        figure = Figure(figsize=(7.6, 1.3 + ROW * len(names)))
-        figure.set_facecolor("white")
+        figure = Figure(figsize=(7.6, 1.3 + ROW * len(names)), facecolor="white")
         axes = figure.subplots()
         for answer in answers:
             points = [(value, -row) for row, name in enumerate(names)
                       for value, own in critical.known[name].items() if own == answer]
             axes.plot(*zip(*points), "o", ms=6,
-                      color=COLORS[answers.index(answer) % len(COLORS)], label=answer)
+                      color=HUES[answers.index(answer) % len(HUES)], label=answer)
         for row, bracket in enumerate(critical.brackets().values()):
             axes.plot(bracket[:2], (-row, -row), "-", color=curves.INK, lw=5.,
                       alpha=0.35, solid_capstyle="butt")
@@ -34,7 +31,3 @@ def draw(critical):
         axes.set_xlabel(critical.entry.split("/")[-1])
         axes.legend(loc="lower left", bbox_to_anchor=(0., 1.), ncols=3, fontsize=8.8)
         return figure
-
-
-def write(critical, path):
-    drawing.save(draw(critical), path, "bisect")

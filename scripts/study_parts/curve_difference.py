@@ -24,17 +24,13 @@ def increasing(x, y, what):
     known = np.isfinite(x) & np.isfinite(y)
     x, y = x[known], y[known]
     if (np.diff(x) < 0.).any():
+        at = int(np.argmax(np.diff(x) < 0.))
         raise StudyError("%s: the displacement goes back from %g to %g mm: not one "
-                         "force per displacement" % ((what,) + first_fall(x)))
+                         "force per displacement" % (what, x[at], x[at + 1]))
     if len(x) < 2 or x[-1] == x[0]:
         raise StudyError("%s: a curve needs two points with different displacements"
                          % what)
     return x, y
-
-
-def first_fall(x):
-    at = int(np.argmax(np.diff(x) < 0.))
-    return float(x[at]), float(x[at + 1])
 
 
 def values_on_pieces(x, y, knots):

@@ -5,7 +5,6 @@ A bisection and the variations of a case are sweeps whose runs follow from anoth
 They get a directory and a sweep file of their own there, in which names and settings
 are written out, so that every command works on it: plan, submit, status, collect,
 compare, report."""
-import fnmatch
 import os
 import shlex
 import sys
@@ -15,6 +14,7 @@ from sweep_parts import sweep_file
 from sweep_parts.errors import SweepError
 from sweep_parts.study import Study
 
+from . import variations
 from .errors import StudyError
 
 HEAD = "# Made by sweep.py %s of %s.\n" \
@@ -40,9 +40,8 @@ class Source:
             sweep = sweep_file.Sweep(path)
             self.base = sweep.base
             self.runs = {name: sweep.settings(name, extra) for name in sweep.runs}
-        self.runs = {name: settings for name, settings in self.runs.items()
-                     if any(fnmatch.fnmatchcase(name, pattern)
-                            for pattern in patterns or ["*"])}
+        self.runs = {name: self.runs[name]
+                     for name in sweep_file.matching(self.runs, patterns)}
         if not self.runs:
             raise StudyError("--only: no run of %s is called %s"
                              % (path, " or ".join("'%s'" % p for p in patterns)))
@@ -61,16 +60,16 @@ class Source:
         found.update(self.runs[name])
         return found
 
-
     def varied(self, name, variation):
         """[(entry, value)] of a run with those of a Variation."""
-        return list(dict(self.runs[name] + list(variation.settings)).items())
+        return sweep_file.merged(self.runs[name] + list(variation.settings))
 
-    def allowed(self, name, several, program):
-        """Those of the variations that the program takes; says why it refuses others,
+    def allowed(self, name, program, entries, share=0.1):
+        """The variations of a run that the program takes; says why it refuses others,
         as a mesh that is its own mirror image."""
         found = []
-        for variation in several:
+        for variation in variations.variations_of(self.effective(name, program), entries,
+                                                  share):
             try:
                 program.case_id(self.base, sweep_file.options_of(
                     self.varied(name, variation)))
@@ -86,8 +85,7 @@ def text_of(kind, source, runs):
     text = HEAD % (kind, os.path.abspath(source.path))
     text += "base = %s\n" % shlex.quote(source.base)
     for name, settings in runs.items():
-        text += "%s = %s\n" % (name, " ".join(
-            map(shlex.quote, sweep_file.options_of(settings))))
+        text += "%s = %s\n" % (name, shlex.join(sweep_file.options_of(settings)))
     return text
 
 
@@ -97,12 +95,7 @@ def study_of(kind, source, runs, output, program):
     path = os.path.join(output, kind + ".sweep")
     text = text_of(kind, source, runs)
     os.makedirs(output, exist_ok=True)
-    try:
-        with open(path, encoding="utf-8") as stream:
-            same = stream.read() == text
-    except OSError:
-        same = False
-    if not same:
+    if safe.read_text(path) != text:
         safe.write_whole(path, text)
     return Study(path, output, program)
 

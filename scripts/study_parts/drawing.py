@@ -3,7 +3,7 @@
 import os
 import sys
 
-from report_parts import interpreter
+from report_parts import interpreter, safe
 
 from .errors import StudyError
 
@@ -21,16 +21,22 @@ def require(path=None, option="--output"):
         if not os.path.isdir(folder):
             raise StudyError("%s: there is no directory '%s'" % (option, folder))
     interpreter.use_one_with_matplotlib()
-    import matplotlib
-    matplotlib.use("Agg")
 
 
-def save(figure, path, salt="study"):
+def label(axes, per_thickness=False):
+    """Of curves of forces, 0 in sight."""
+    axes.set_xlim(left=min(0., axes.dataLim.x0))
+    axes.set_ylim(bottom=min(0., axes.dataLim.y0))
+    axes.set(xlabel="Displacement (mm)", ylabel="Force per thickness (N/mm)"
+             if per_thickness else "Force (N)")
+
+
+def save(figure, path, salt="study", dpi=110):
     """As SVG or PNG; equal figures make equal files."""
     import matplotlib
     from report_parts import curves
     options = {"metadata": {"Date": None}} if path.endswith(".svg") else {
-        "dpi": 110, "metadata": {"Software": None}}
+        "dpi": dpi, "metadata": {"Software": None}}
     settings = {"svg.hashsalt": salt, "svg.fonttype": "none"}
     with matplotlib.rc_context(dict(curves.STYLE, **settings)):
         figure.savefig(path, bbox_inches="tight", facecolor="white", **options)
@@ -45,7 +51,6 @@ def drawn(path, draw, *arguments):
     except OSError:
         raise
     except Exception as error:  # the tables are still worth having
-        print("%s could not be drawn (%s: %s)"
-              % (path, type(error).__name__, " ".join(str(error).split())[:200]),
+        print("%s could not be drawn (%s)" % (path, safe.in_words(error)),
               file=sys.stderr)
         return False

@@ -7,11 +7,16 @@ import time
 
 from sweep_parts import (collect, command_run, command_submit, jobs, resources, runner,
                          slurm)
-from sweep_parts.resources import positive
 
 from .errors import StudyError
 
 PAUSE = 10.  # s between two looks at the queue
+OPTIONS = resources.options() + [
+    ("--jobs", "J", "runs at a time, here or asked for at once (1)",
+     {"type": resources.positive, "default": 1}),
+    ("--submit", None, "by jobs of the cluster, waiting for them"),
+    ("--no-wait", None, "with --submit: not waiting; the same command goes on when the "
+     "jobs have ended")]
 
 
 class Stopped(StudyError):
@@ -24,24 +29,11 @@ class NotSubmitted(StudyError):
     exit_status = 1
 
 
-def add_options(parser):
-    resources.add_options(parser)
-    parser.add_argument("--jobs", type=positive, default=1, metavar="J",
-                        help="runs at a time, here or asked for at once (1)")
-    parser.add_argument("--submit", action="store_true",
-                        help="by jobs of the cluster, waiting for them")
-    parser.add_argument("--no-wait", action="store_true",
-                        help="with --submit: not waiting; the same command goes on when "
-                        "the jobs have ended")
-
-
 def runs_of(arguments, program):
     """What runs cases, as the options say. Raises StudyError."""
     if arguments.no_wait and not arguments.submit:
         raise StudyError("--no-wait goes with --submit")
-    if arguments.submit:
-        return Jobs(arguments)
-    return Runs(arguments, program)
+    return Jobs(arguments) if arguments.submit else Runs(arguments, program)
 
 
 class Runs:
@@ -50,9 +42,7 @@ class Runs:
     def __init__(self, arguments, program):
         self.arguments = arguments
         arguments.again = False  # as run has it
-        given = resources.resources_of(arguments)
-        words = resources.launcher_words(resources.launcher_of(given))
-        self.launch = runner.Launch(program, words, given["ranks"])
+        self.launch = runner.launch_of(arguments, program)
 
     def bring(self, study, names):
         """Runs what is missing and writes the table of the study. Raises Stopped."""

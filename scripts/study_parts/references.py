@@ -15,8 +15,9 @@ scatter            how far tests lie apart, of each quantity in one of three for
 paths              x_mm, y_mm in order; name; crack: a number per piece; scatter_mm:
                    how far tests lie to both sides of the path."""
 import collections
-import csv
-import math
+
+from report_parts.csv_table import Table
+from report_parts.safe import grouped
 
 from .errors import StudyError
 
@@ -32,55 +33,17 @@ Reference = collections.namedtuple("Reference",
 Path = collections.namedtuple("Path", "name lines scatter")
 
 
-class Table:
-    """header: names of the columns; rows: [(number of the line, {column: text})]."""
-
-    def __init__(self, path):
-        self.path = path
-        try:
-            with open(path, encoding="utf-8") as stream:
-                lines = [(number, line) for number, line in enumerate(stream, 1)
-                         if line.strip() and not line.lstrip().startswith("#")]
-        except (OSError, UnicodeDecodeError) as error:
-            raise StudyError("%s cannot be read: %s" % (path, error))
-        self.header = [name.strip() for name in next(csv.reader([lines[0][1]]))] \
-            if lines else []
-        self.rows = [self.row(number, line) for number, line in lines[1:]]
-
-    def row(self, number, line):
-        values = [value.strip() for value in next(csv.reader([line]))]
-        if len(values) != len(self.header):
-            raise StudyError("%s:%d: expected %d values, found '%s'"
-                             % (self.path, number, len(self.header), line.strip()))
-        return number, dict(zip(self.header, values))
-
-    def number(self, line, row, column):
-        try:
-            value = float(row[column])
-        except ValueError:
-            value = math.nan
-        if not math.isfinite(value):
-            raise StudyError("%s:%d: expected a number in %s, found '%s'"
-                             % (self.path, line, column, row[column]))
-        return value
-
-
-def is_path_file(path):
-    header = Table(path).header
-    return "x_mm" in header and "y_mm" in header
-
-
 def forms_in(table):
     """The form of scatter of displacement and of force: names of columns, or None."""
     found = []
     for pattern, _ in QUANTITIES:
         columns = [tuple(pattern % word for word in form) for form in FORMS]
-        used = [names for names in columns if any(n in table.header for n in names)]
+        used = [names for names in columns if any(n in table.names for n in names)]
         if len(used) > 1:
             raise StudyError("%s: scatter is given twice, by %s and %s"
                              % (table.path, used[0][0], used[1][0]))
         for name in used[0] if used else ():
-            if name not in table.header:
+            if name not in table.names:
                 raise StudyError("%s: scatter needs all of %s; there is no %s"
                                  % (table.path, ", ".join(used[0]), name))
         found.append(used[0] if used else None)
@@ -91,7 +54,7 @@ def band_of(table, line, row, columns, mean, deviations):
     """(low, high), or None."""
     if columns is None:
         return None
-    values = [table.number(line, row, column) for column in columns]
+    values = [table.number(line, column, row[column]) for column in columns]
     if "_min" in columns[0] and "_minus" not in columns[0]:
         low, high = values
     else:
@@ -106,19 +69,18 @@ def band_of(table, line, row, columns, mean, deviations):
     return low, high
 
 
-def read_points(path, name_needed, deviations=1.):
+def read_points(path, deviations=1.):
     """[Reference] of a file of peaks or curves. deviations: how many standard
     deviations a band reaches to each side."""
     table = Table(path)
-    unit = next((name for name in FORCES if name in table.header), None)
-    if unit is None or "displacement_mm" not in table.header \
-            or (name_needed and "name" not in table.header):
-        raise StudyError("%s: expected a header with %sdisplacement_mm and %s"
-                         % (path, "name, " if name_needed else "",
-                            " or ".join(FORCES)))
+    unit = next((name for name in FORCES if name in table.names), None)
+    if unit is None or "displacement_mm" not in table.names:
+        raise StudyError("%s: expected a header with displacement_mm and %s"
+                         % (path, " or ".join(FORCES)))
     forms, found = forms_in(table), []
-    for line, row in table.rows:
-        means = [table.number(line, row, name) for name in ("displacement_mm", unit)]
+    for line, row in table.records():
+        means = [table.number(line, name, row[name])
+                 for name in ("displacement_mm", unit)]
         bands = [band_of(table, line, row, columns, mean, deviations)
                  for columns, mean in zip(forms, means)]
         found.append(Reference(row.get("name", ""), means[0], means[1], unit,
@@ -130,14 +92,14 @@ def read_paths(path):
     """{name: Path}; the name is '' in a file of one path."""
     table = Table(path)
     lines, scatters = {}, {}
-    for number, row in table.rows:
-        point = tuple(table.number(number, row, name) for name in ("x_mm", "y_mm"))
-        pieces = lines.setdefault(row.get("name", ""), {})
+    for number, row in table.records():
+        point = tuple(table.number(number, axis, row[axis]) for axis in ("x_mm", "y_mm"))
+        name = row.get("name", "")
+        pieces = lines.setdefault(name, {})
         pieces.setdefault(row.get("crack", ""), []).append(point)
-        if "scatter_mm" in table.header:
-            scatters[row.get("name", "")] = max(
-                table.number(number, row, "scatter_mm"),
-                scatters.get(row.get("name", ""), 0.))
+        if "scatter_mm" in row:
+            scatters[name] = max(table.number(number, "scatter_mm", row["scatter_mm"]),
+                                 scatters.get(name, 0.))
     for name, pieces in lines.items():
         if any(len(piece) < 2 for piece in pieces.values()):
             raise StudyError("%s: a path needs two points%s"
@@ -151,10 +113,8 @@ def read_paths(path):
 def name_for(run_name, names):
     """Which of the names of references belongs to a run: its own, its last word
     (of neo_hooke_12, 12), or '', which belongs to all; None without one."""
-    for name in (run_name, run_name.rpartition("_")[2], ""):
-        if name in names:
-            return name
-    return None
+    return next((name for name in (run_name, run_name.rpartition("_")[2], "")
+                 if name in names), None)
 
 
 class References:
@@ -164,10 +124,10 @@ class References:
     def __init__(self, files, deviations=1.):
         self.points, self.curves, self.paths, self.unit = {}, {}, {}, None
         for path in files:
-            if is_path_file(path):
+            if {"x_mm", "y_mm"} <= set(Table(path).names):
                 self.add(self.paths, read_paths(path), path)
             else:
-                self.add_points(read_points(path, False, deviations), path)
+                self.add_points(read_points(path, deviations), path)
 
     @staticmethod
     def add(known, found, path):
@@ -177,20 +137,18 @@ class References:
         known.update(found)
 
     def add_points(self, points, path):
-        groups = {}
         for point in points:
             if self.unit not in (None, point.unit):
                 raise StudyError("%s: its forces are %s, those before it %s"
                                  % (path, point.unit, self.unit))
             self.unit = point.unit
-            groups.setdefault(point.name, []).append(point)
+        groups = grouped(points, lambda point: point.name)
         # one row and several of a name are two things: its peak and its curve
         self.add(self.points, {n: p[0] for n, p in groups.items() if len(p) == 1}, path)
         self.add(self.curves, {n: p for n, p in groups.items() if len(p) > 1}, path)
 
     def names(self):
-        return list(dict.fromkeys(
-            list(self.points) + list(self.curves) + list(self.paths)))
+        return list({**self.points, **self.curves, **self.paths})
 
     def of(self, run_name):
         """(Reference of the peak or None, [Reference] of the curve, Path or None)."""

@@ -6,25 +6,15 @@ import math
 from . import variations
 
 
-def variation_name(run, variation):
-    return "%s_%s" % (run, variations.case_name(variation))
-
-
-def variations_by_run(source, program, entries, share=0.1):
-    """{run: [Variation]}"""
-    return {name: source.allowed(name, variations.variations_of(
-        source.effective(name, program), entries, share), program)
-        for name in source.runs}
-
-
 def runs_of(source, program, entries):
     """{name: settings} of all runs and their variations; a variation of the entry that
     is varied would be none, and is the user's to leave out."""
     found = {}
-    for name, several in variations_by_run(source, program, entries).items():
+    for name in source.runs:
         found[name] = source.runs[name]
-        for variation in several:
-            found[variation_name(name, variation)] = source.varied(name, variation)
+        for variation in source.allowed(name, program, entries):
+            found["%s_%s" % (name, variations.case_name(variation))] = source.varied(
+                name, variation)
     return found
 
 

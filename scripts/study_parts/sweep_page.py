@@ -3,7 +3,6 @@
 in one figure, all cracks. Whole at any time, also while the sweep goes on, when a
 browser loads it anew every half minute."""
 import collections
-import datetime
 import os
 import urllib.parse
 
@@ -19,15 +18,13 @@ SHOWN = (("outcome", "outcome"), ("start", "start"),
          ("peak_force_N", "peak, N"), ("displacement_at_peak_mm", "at, mm"),
          ("steps", "steps"), ("wall_time_s", "s"))
 OTHERS = (("sweep.csv", "table"), ("comparison.md", "comparison"),
-          ("bisect.csv", "brackets"), ("uncertainty.md", "uncertainty"))
+          ("bisect.csv", "brackets"), ("uncertainty.md", "uncertainty"),
+          ("uncertainty.svg", "uncertainty.svg"), ("comparison", "comparison"))
 
 
 def shown(value):
-    if value is None:
-        return ""
-    if isinstance(value, float):
-        return "%.4g" % value
-    return str(value)
+    return "%.4g" % value if isinstance(value, float) else \
+        "" if value is None else str(value)
 
 
 def link(text, *names):
@@ -43,9 +40,8 @@ def name_cell(study, case):
     """The name: leads to the page of the case, or to its directory."""
     if os.path.isfile(path_of_page(study, case)):
         return link(case.name, FOLDER, case.name + ".html")
-    if os.path.isdir(case.directory):
-        return link(case.name, os.path.relpath(case.directory, study.output))
-    return page.escaped(case.name)
+    return link(case.name, os.path.relpath(case.directory, study.output)) \
+        if os.path.isdir(case.directory) else page.escaped(case.name)
 
 
 def state_cell(case, row):
@@ -62,25 +58,20 @@ def table_of(study, chosen, rows):
     swept = list(collect.swept_titles(chosen).values())
     head = ["case", "state"] + swept + [title for _, title in SHOWN] \
         + ["case id", "revision"]
-    text = "<tr>%s</tr>" % "".join("<th>%s</th>" % page.escaped(t) for t in head)
-    for case, row in zip(chosen, rows):
-        cells = [name_cell(study, case), state_cell(case, row)]
-        cells += [page.escaped(shown(row.get(column))) for column in swept]
-        cells += [page.escaped(shown(row.get(column))) for column, _ in SHOWN]
-        cells += [page.escaped(row["case_id"][:12]),
-                  page.escaped(shown(row.get("revision")))]
-        text += "<tr>%s</tr>" % "".join("<td>%s</td>" % cell for cell in cells)
-    return "<div class=\"wide\"><table class=\"sweep\">%s</table></div>" % text
+    columns = swept + [column for column, _ in SHOWN]
+    cells = [[name_cell(study, case), state_cell(case, row)] + [
+        page.escaped(value) for value in [shown(row.get(name)) for name in columns]
+        + [row["case_id"][:12], shown(row.get("revision"))]]
+        for case, row in zip(chosen, rows)]
+    return page.element("div", page.table_of(cells, map(page.escaped, head), "sweep"),
+                        "wide")
 
 
 def others_of(study):
     """Links to what other commands have written."""
     found = [link(text, name) for name, text in OTHERS
-             if os.path.isfile(os.path.join(study.output, name))]
-    for name in ("uncertainty.svg", "comparison"):
-        if os.path.exists(os.path.join(study.output, name)):
-            found.append(link(name, name))
-    return "<p class=\"note\">%s</p>" % " · ".join(found) if found else ""
+             if os.path.exists(os.path.join(study.output, name))]
+    return page.note(" · ".join(found)) if found else ""
 
 
 def runs_of(chosen):
@@ -93,21 +84,21 @@ def runs_of(chosen):
 
 
 def left_out(number):
-    return "" if not number else "<p class=\"note\">%d more are left out; --only chooses " \
-        "others.</p>" % number
+    return page.note("%d more are left out; --only chooses others." % number) \
+        if number else ""
 
 
 def curve_part(runs, n_more):
     if not any(run.has_curve for run in runs):
         return page.section("Force and displacement",
-                            "<p class=\"note\">No case has a force yet.</p>")
+                            page.note("No case has a force yet."))
     drawing = curves.svg_of(study_curves.draw(runs, "", False, []), "curves")
     return page.section("Force and displacement", drawing + left_out(n_more))
 
 
 def crack_part(runs, n_more):
     if not any(study_cracks.fields_at_end(run)[0] is not None for run in runs):
-        return page.section("Cracks", "<p class=\"note\">No case has fields yet.</p>")
+        return page.section("Cracks", page.note("No case has fields yet."))
     png = study_cracks.png_of(runs, 5, "")
     return page.section("Cracks", page.figures_of([(png, "", "100%")])
                         + left_out(n_more), "long")
@@ -124,11 +115,9 @@ def is_over(rows):
 
 
 def foot(study):
-    return "<footer>%s, revision %s. Page made on %s from %s.</footer>" % (
-        page.escaped(os.path.basename(study.program.path)),
-        page.escaped(study.program.revision),
-        datetime.datetime.now().strftime("%d %B %Y, %H:%M:%S"),
-        page.escaped(study.output))
+    return page.footer("%s, revision %s" % (os.path.basename(study.program.path),
+                                            study.program.revision),
+                       study.output, "%H:%M:%S")
 
 
 def written(study, chosen):
@@ -142,11 +131,9 @@ def written(study, chosen):
     remarks += [mixture] if mixture else []
     body = "<header><p class=\"kind\">Sweep</p><h1>%s</h1><p>%d cases: %s</p></header>" \
         % (page.escaped(title), len(rows), page.escaped(counts_of(rows)))
-    if remarks:
-        body += "<aside><h2>Please note</h2><ul>%s</ul></aside>\n" % "".join(
-            "<li>%s</li>" % page.escaped(remark) for remark in remarks)
-    body += page.section("Cases", table_of(study, chosen, rows) + others_of(study),
-                         "long") + middle + foot(study)
+    body += page.aside(remarks) + page.section(
+        "Cases", table_of(study, chosen, rows) + others_of(study), "long") \
+        + middle + foot(study)
     text = page.in_frame(title, body)
     if not is_over(rows):
         text = text.replace("<head>\n", "<head>\n" + REFRESH % SECONDS, 1)
@@ -157,15 +144,9 @@ def write_pages(study, chosen):
     """A page for each case with rows that is newer than its page."""
     os.makedirs(os.path.join(study.output, FOLDER), exist_ok=True)
     for case in chosen:
-        rows, target = case.path("statistics.csv"), path_of_page(study, case)
-        if not os.path.isfile(rows) or (
-                os.path.isfile(target)
-                and os.path.getmtime(target) > os.path.getmtime(rows)
-                and os.path.getmtime(target) > newest_summary(case)):
-            continue
-        safe.write_whole(target, page.written(case.directory))
-
-
-def newest_summary(case):
-    path = case.path("summary.json")
-    return os.path.getmtime(path) if os.path.isfile(path) else 0.
+        target = path_of_page(study, case)
+        page_time, *times = (
+            os.path.getmtime(path) if os.path.isfile(path) else 0.
+            for path in (target, case.path("statistics.csv"), case.path("summary.json")))
+        if times[0] and page_time <= max(times):
+            safe.write_whole(target, page.written(case.directory))

@@ -4,6 +4,7 @@ of its variations, and what numerics and parameters contribute.
 
 The contribution of a group (variations.py) is its largest difference from the case;
 those of groups that have nothing to do with each other are added as squares."""
+import collections
 import math
 
 import numpy as np
@@ -11,25 +12,22 @@ import numpy as np
 from report_parts import crack_path
 
 from . import polylines, variations
+from .comparison_text import grid
 from .errors import StudyError
 
 QUANTITIES = (("peak", "N"), ("displacement", "mm"), ("path", "mm"))
 
 
-class Answer:
-    """What a run came to. lines: [array (n, 2)] of the paths of its cracks."""
-
-    def __init__(self, peak, displacement, lines, outcome):
-        self.peak, self.displacement = peak, displacement
-        self.lines, self.outcome = lines, outcome
+# What a run came to. lines: [array (n, 2)] of the paths of its cracks.
+Answer = collections.namedtuple("Answer", "peak displacement lines outcome")
 
 
 def answer_of(run):
     """The Answer of a StudyRun; None where there is none, or no peak."""
     if run is None or run.peak is None:
         return None
-    cracks = crack_path.cracks_at_end(run.results.directory, []) or []
-    lines = [np.array(crack.points) for crack in cracks if len(crack.points) > 1]
+    lines = [np.array(line) for line in
+             crack_path.lines_at_end(run.results.directory) or ()]
     return Answer(run.peak[1], run.peak[0], lines, run.outcome)
 
 
@@ -75,8 +73,8 @@ class Uncertainty:
 
     def total(self, groups, quantity):
         """Root of the sum of the squares over groups, or None."""
-        known = [self.contribution(group, quantity) for group in groups]
-        known = [value for value in known if value is not None]
+        known = [value for value in (self.contribution(group, quantity)
+                                     for group in groups) if value is not None]
         return math.sqrt(sum(value**2 for value in known)) if known else None
 
     def numerics(self):
@@ -130,19 +128,13 @@ def contribution_rows(found):
                               for q, _ in QUANTITIES)
 
 
-def table(head, lines):
-    return "| %s |\n|%s\n%s" % (
-        " | ".join(head), "---|" + (len(head) - 1) * "---:|",
-        "".join("| %s |\n" % " | ".join(line) for line in lines))
-
-
 def markdown(found):
     """Two tables: the variations, and what each group contributes."""
-    text = table(("change", "peak, N", "", "displacement at peak, mm", "",
-                  "path, mean distance, mm", "Hausdorff, mm", "outcome, start"),
-                 rows(found))
-    text += "\n" + table(["from"] + ["%s, %s" % pair for pair in QUANTITIES],
-                         contribution_rows(found))
+    text = grid(("change", "peak, N", "", "displacement at peak, mm", "",
+                 "path, mean distance, mm", "Hausdorff, mm", "outcome, start"),
+                rows(found))
+    text += "\n" + grid(["from"] + ["%s, %s" % pair for pair in QUANTITIES],
+                        contribution_rows(found))
     if found.missing():
         text += "\n- Without an answer: %s.\n" % ", ".join(
             variations.case_name(variation) for variation in found.missing())

@@ -1,13 +1,15 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 """The bundle of paths and curves of a case and its variations."""
 import matplotlib
+import numpy as np
 from matplotlib.figure import Figure
 
-from report_parts import curves
+from report_parts import curves, pictures
+from sweep_parts.study_curves import HUES
 
 from . import comparison_figure, variations
 
-COLORS = ("#2f6690", "#b5403a", "#4f8a5b", "#c08a2d", "#6d4c8f", "#3a8f93", "#8a5a3c")
+COLORS = HUES[:7]
 DASHES = ("-", (0, (4, 1.5)), (0, (1.5, 1.2)))
 
 
@@ -35,24 +37,13 @@ def draw_curve(axes, run, color, dash, label, width):
     axes.plot(x[run.force.peak], y[run.force.peak], "o", color=color, ms=3.5)
 
 
-def window_around(lines, margin=0.15):
-    """((x0, y0), (x1, y1)) around all paths."""
-    points = [point for line in lines for point in line]
-    low = [min(point[k] for point in points) for k in (0, 1)]
-    high = [max(point[k] for point in points) for k in (0, 1)]
-    pad = margin * max(high[k] - low[k] for k in (0, 1))
-    return [value - pad for value in low], [value + pad for value in high]
-
-
 def draw_paths(axes, found, base_run, kinds):
-    comparison_figure.draw_outline(axes, base_run.results.directory)
+    comparison_figure.draw_outline(axes, base_run)
     for d, (color, dash) in zip(found.differences, kinds):
         for line in d.answer.lines if d.answer else ():
             axes.plot(line[:, 0], line[:, 1], ls=dash, color=color, lw=0.9)
     for line in found.base.lines:
         axes.plot(line[:, 0], line[:, 1], "-", color=curves.INK, lw=1.5)
-    axes.set_aspect("equal")
-    axes.axis("off")
 
 
 def draw(found, base_run, runs):
@@ -60,23 +51,19 @@ def draw(found, base_run, runs):
     the body in the middle and, where there are any, as near as they lie to the right."""
     kinds = styles(found)
     with matplotlib.rc_context(curves.STYLE):
-        figure = Figure(figsize=(11.5, 4.6))
-        figure.set_facecolor("white")
+        figure = Figure(figsize=(11.5, 4.6), facecolor="white")
         axes = figure.subplots(1, 3, width_ratios=(1.45, 0.85, 1.15))
         for d, run, (color, dash) in zip(found.differences, runs, kinds):
             draw_curve(axes[0], run, color, dash, label_of(d.variation), 1.)
         draw_curve(axes[0], base_run, curves.INK, "-", "as it is", 1.6)
-        axes[0].set_xlabel("Displacement (mm)")
-        axes[0].set_ylabel("Force (N)")
+        axes[0].set(xlabel="Displacement (mm)", ylabel="Force (N)")
         axes[0].legend(loc="upper left", fontsize=7.6, handlelength=2.4)
         for part in axes[1:]:
             draw_paths(part, found, base_run, kinds)
         lines = found.base.lines + [line for d in found.differences if d.answer
                                     for line in d.answer.lines]
         if lines:
-            low, high = window_around(lines, 0.02)
-            axes[2].set_xlim(low[0], high[0])
-            axes[2].set_ylim(low[1], high[1])
+            pictures.show(axes[2], pictures.window_of(np.concatenate(lines)))
         figure.subplots_adjust(left=0.06, right=0.995, top=0.98, bottom=0.11,
                                wspace=0.08)
         return figure

@@ -11,8 +11,9 @@ mixed-cracks writes them to parameters.prm. Group names say what they tell about
     coupling    tolerance of the coupling times 1/10 and 10
     parameters  entries that are asked for, by a share up and down"""
 import collections
-import math
 import re
+
+from report_parts.safe import finite
 
 from .errors import StudyError
 
@@ -25,11 +26,7 @@ MIRRORED = "Mirrored mesh"  # last word of an entry of a geometry
 
 def number_of(parameters, entry):
     """A number, or None where the entry is missing, empty or an expression."""
-    try:
-        value = float(parameters.get(entry, ""))
-    except ValueError:
-        return None
-    return value if math.isfinite(value) else None
+    return finite(parameters.get(entry))
 
 
 def text_of(value):
@@ -108,9 +105,9 @@ def other_parameters(parameters, entries, share):
                 "--parameters: '%s' %s" % (entry, "is '%s' and no number"
                                            % parameters[entry] if entry in parameters
                                            else "is no entry of the case"))
-        for sign, word in ((1., "plus"), (-1., "minus")):
-            found.append(Variation(entry, word, [
-                (entry, text_of((1. + sign * share) * number_of(parameters, entry)))]))
+        found += [Variation(entry, word, [
+            (entry, text_of((1. + sign * share) * number_of(parameters, entry)))])
+            for sign, word in ((1., "plus"), (-1., "minus"))]
     return found
 
 

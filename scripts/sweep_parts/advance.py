@@ -2,11 +2,14 @@
 """Advances a case by one start of the program: from nothing, or from its checkpoint.
 Whatever drives a sweep goes through here: `run`, `task`, and what is built on them.
 """
-import hashlib
+import contextlib
 import os
+import pathlib
 import signal
 import socket
 import time
+
+from report_parts import safe
 
 from . import cases, lock
 
@@ -34,11 +37,8 @@ class Piece:
         """(exit status, why, in words). 0: the case is complete, or was. Others are
         those of the program; 3 also when it does not get on. Raises lock.InUse and
         OSError."""
-        held = self.case.lock(self.patience)
-        try:
+        with contextlib.closing(self.case.lock(self.patience)):
             return self.advance_locked(command, starter)
-        finally:
-            held.release()
 
     def advance_locked(self, command, starter):
         case = self.case
@@ -58,7 +58,7 @@ class Piece:
             case.write_record(record)
             return FAILED, reason
         # an old summary must not pass for that of a run that is killed
-        remove(case.path("summary.json"))
+        pathlib.Path(case.path("summary.json")).unlink(missing_ok=True)
         record = self.begin(record)
         case.write_record(record)
         case.make_link()
@@ -81,15 +81,16 @@ class Piece:
         if case.name not in record["names"]:
             record["names"].append(case.name)
         record.update(base=case.base, settings=dict(case.settings))
-        resumed = case.has_checkpoint()
+        resumed, screen = case.has_checkpoint(), case.path(cases.SCREEN)
         record["pieces"].append(dict(
-            host=socket.gethostname(), process=os.getpid(), started=now(),
+            host=socket.gethostname(), process=os.getpid(), started=lock.now(),
             program=self.program.path, revision=self.program.revision,
             checksum=self.program.checksum, ranks=self.ranks,
-            settings=record["settings"], base_checksum=checksum_of(case.base),
+            settings=record["settings"], base_checksum=safe.checksum_of(case.base),
             resumed=resumed,
             from_step=case.last_step() if resumed else -1,
-            screen_from=size_of(case.path(cases.SCREEN)), **self.job))
+            screen_from=os.path.getsize(screen) if os.path.exists(screen) else 0,
+            **self.job))
         return record
 
     def end(self, record, status, asked):
@@ -97,17 +98,16 @@ class Piece:
         the signal that was to end it, or None."""
         case, piece = self.case, record["pieces"][-1]
         summary = case.summary()
+        told = summary.get("exit_status")
         # mpirun makes 1 of most failures
-        if status != 0 and summary.get("exit_status"):
-            status = summary["exit_status"]
-        if status == 0 and summary.get("exit_status") != 0:
-            status = summary.get("exit_status") or FILES
+        if told or (told is None and status == 0):
+            status = told or FILES
         # killed on its way out, when all was written
-        if is_signal(status) and summary.get("exit_status") == 0:
+        if is_signal(status) and told == 0:
             status = DONE
         if asked is not None and status in KILLED_BY_A_REQUEST:
             status = STOPPED if case.has_checkpoint() else TOO_EARLY
-        piece.update(exit_status=status, ended=now(), to_step=case.last_step())
+        piece.update(exit_status=status, ended=lock.now(), to_step=case.last_step())
         if asked is not None:
             piece["signal"] = asked
         if status == 0:
@@ -193,21 +193,3 @@ def wait_until_free(directory, seconds):
             if time.monotonic() > deadline:
                 raise
             time.sleep(0.2)
-
-
-def checksum_of(path):
-    with open(path, "rb") as stream:
-        return hashlib.sha256(stream.read()).hexdigest()
-
-
-def now():
-    return time.strftime("%Y-%m-%d %H:%M:%S UTC", time.gmtime())
-
-
-def size_of(path):
-    return os.path.getsize(path) if os.path.exists(path) else 0
-
-
-def remove(path):
-    if os.path.exists(path):
-        os.remove(path)

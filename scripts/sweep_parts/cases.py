@@ -57,9 +57,6 @@ class Case:
         """case.json as a dictionary; empty when there is none."""
         return record_of(self.directory)
 
-    def pieces(self):
-        return self.record().get("pieces", [])
-
     def write_record(self, record):
         new = self.path(".%s.%d" % (RECORD, os.getpid()))
         with open(new, "w", encoding="utf-8") as stream:
@@ -142,22 +139,16 @@ class Case:
         if os.path.lexists(self.link) and not os.path.islink(self.link):
             return
         new = os.path.join(self.output, ".%s.%d" % (self.name, os.getpid()))
-        try:
+        # in a file system without links the table has the id of each name
+        with contextlib.suppress(OSError):
             os.symlink(os.path.join(CASES, self.id), new)
             os.replace(new, self.link)
-        except OSError:
-            pass  # a file system without links: the table has the id of each name
 
 
 def record_of(directory):
-    text = safe.read_text(os.path.join(directory, RECORD))
-    try:
-        record = json.loads(text or "")
-    except ValueError:
-        return {}
-    if not isinstance(record, dict) or not isinstance(record.get("pieces", []), list):
-        return {}
-    return record
+    record = safe.read_json(os.path.join(directory, RECORD))
+    return record if isinstance(record, dict) \
+        and isinstance(record.get("pieces", []), list) else {}
 
 
 def state_of(record, has_checkpoint):

@@ -1,7 +1,10 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 """The table of a sweep: a row for each case, with its state, and results only where
 they are those of the present parameters."""
+import collections
 import os
+
+from report_parts import safe
 
 from . import cases, table
 
@@ -21,17 +24,11 @@ def titles_of(swept):
 
 def swept_titles(chosen):
     """{title: column} of what differs among the cases, in order."""
-    found = {}
-    for case in chosen:
-        for title, value in case.swept.items():
-            found.setdefault(title, []).append(value)
-    return titles_of([title for title, values in found.items()
-                      if len(set(values)) > 1 or len(values) < len(chosen)
+    found = safe.grouped((pair for case in chosen for pair in case.swept.items()),
+                         lambda pair: pair[0])
+    return titles_of([title for title, pairs in found.items()
+                      if len(set(pairs)) > 1 or len(pairs) < len(chosen)
                       or len(chosen) == 1])
-
-
-def columns_of(chosen):
-    return IDENTITY + tuple(swept_titles(chosen).values()) + table.RESULTS
 
 
 def row_of(case, titles, mixed=False):
@@ -66,23 +63,27 @@ def rows_of(chosen, mixed=False):
     return [row_of(case, titles, mixed) for case in chosen]
 
 
-def revisions_of(rows):
-    """{revision: names} of rows with results."""
-    found = {}
+def mixture_of(rows):
+    """Of results of several revisions, in words, or ''."""
+    revisions = {}
     for row in rows:
         for revision in (row.get("revision") or "").split():
-            found.setdefault(revision, []).append(row["name"])
-    return found
-
-
-def mixture_of(rows):
-    """In words, or ''."""
-    revisions = revisions_of(rows)
+            revisions.setdefault(revision, []).append(row["name"])
     if len(revisions) < 2:
         return ""
     return "results of several revisions of the program: " + "; ".join(
         "%s (%s)" % (revision, shortened(names)) for revision, names
         in revisions.items())
+
+
+def print_counts(chosen, states):
+    """How many cases are in which state, and whether revisions are mixed."""
+    print("%d cases: %s" % (len(chosen), ", ".join(
+        "%d %s" % (number, state)
+        for state, number in collections.Counter(states).items())))
+    mixture = mixture_of(rows_of(chosen))
+    if mixture:
+        print(mixture)
 
 
 def shortened(names, most=5):
@@ -93,7 +94,10 @@ def shortened(names, most=5):
 def write(study, chosen_rows):
     """Writes the table of the sweep; returns its path."""
     path = os.path.join(study.output, TABLE)
-    table.write_table(path, columns_of(list(study.cases.values())), chosen_rows)
+    columns = IDENTITY + tuple(swept_titles(study.cases.values()).values()) \
+        + table.RESULTS
+    safe.write_whole(path, table.csv_text(columns, (
+        [row.get(column) for column in columns] for row in chosen_rows)))
     return path
 
 

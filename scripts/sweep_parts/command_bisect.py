@@ -9,7 +9,8 @@ sweep of their own, OUTPUT/bisect.sweep, which all commands work on. OUTPUT/bise
 has the brackets with the cases that carry them."""
 import os
 
-from study_parts import bisection, critical, derived, here
+from report_parts import safe
+from study_parts import bisection, critical, derived, drawing, here, spread
 from study_parts.errors import StudyError
 
 from . import sweep_file
@@ -17,25 +18,18 @@ from .program import Program
 
 HELP = "the value of an entry at which an answer changes, by bisection"
 OPENS_ITSELF = True
-
-
-def add_options(parser):
-    here.add_options(parser)
-    parser.add_argument("--vary", nargs=3, metavar=("ENTRY", "LOW", "HIGH"),
-                        required=True, help="what is varied, and its range")
-    parser.add_argument("--on", required=True, metavar="QUESTION",
-                        help="keys of summary.json whose change is looked for, as "
-                        "outcome or outcome,outcome_start, or a bound, as "
-                        "'peak_force_N > 160'")
-    parser.add_argument("--to", type=float, required=True, metavar="WIDTH",
-                        help="of the bracket, in the unit of the entry")
-    parser.add_argument("--variations", action="store_true",
-                        help="the same with each change of 'uncertainty', one at a "
-                        "time: how sure the value is")
-    parser.add_argument("--parameters", nargs="+", default=[], metavar="ENTRY",
-                        help="with --variations: these by 10 %% up and down as well")
-    parser.add_argument("--figure", metavar="FILE",
-                        help="a drawing of all answers, .svg or .png")
+OPTIONS = here.OPTIONS + [
+    ("--vary", ("ENTRY", "LOW", "HIGH"), "what is varied, and its range",
+     {"nargs": 3, "required": True}),
+    ("--on", "QUESTION", "keys of summary.json whose change is looked for, as outcome or "
+     "outcome,outcome_start, or a bound, as 'peak_force_N > 160'", {"required": True}),
+    ("--to", "WIDTH", "of the bracket, in the unit of the entry",
+     {"type": float, "required": True}),
+    ("--variations", None, "the same with each change of 'uncertainty', one at a time: "
+     "how sure the value is"),
+    ("--parameters", "ENTRY", "with --variations: these by 10 %% up and down as well",
+     {"nargs": "+", "default": []}),
+    ("--figure", "FILE", "a drawing of all answers, .svg or .png")]
 
 
 def range_of(words):
@@ -57,20 +51,16 @@ def run(arguments, _):
     if not arguments.to > 0.:
         raise StudyError("--to: expected a width above 0, found %g" % arguments.to)
     if arguments.figure:
-        from study_parts import drawing
         drawing.require(arguments.figure, "--figure")
     source = derived.Source(arguments.file, arguments.only, arguments.extra)
     output = os.path.abspath(arguments.output or os.path.join(
         "results", source.stem + "_bisect"))
     program = Program(arguments.program)
     runs = here.runs_of(arguments, program)
-    wanted = source.runs
-    if arguments.variations:
-        from study_parts import spread
-        wanted = spread.runs_of(source, program, arguments.parameters)
+    wanted = spread.runs_of(source, program, arguments.parameters) \
+        if arguments.variations else source.runs
     found = critical.Critical(entry, low, high, arguments.to, question, wanted)
-    study = critical.solve(found, source, output, program,
-                           runs, arguments.jobs)
+    study = critical.solve(found, source, output, program, runs, arguments.jobs)
     for line in critical.report(found, study):
         print(line)
     write_files(found, study, output, arguments)
@@ -79,13 +69,11 @@ def run(arguments, _):
 
 def write_files(found, study, output, arguments):
     path = os.path.join(output, "bisect.csv")
-    with open(path, "w", encoding="utf-8") as stream:
-        stream.write(critical.table(found, study))
+    safe.write_whole(path, critical.table(found, study))
     print(path)
     if arguments.variations:
-        from study_parts import spread
         print(spread.report(found), end="")
     if arguments.figure:
         from study_parts import critical_figure
-        critical_figure.write(found, arguments.figure)
+        drawing.save(critical_figure.draw(found), arguments.figure, "bisect")
         print(arguments.figure)

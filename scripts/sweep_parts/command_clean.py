@@ -11,14 +11,10 @@ from . import cases, lock
 HELP = "list, or remove, cases to which nothing leads any more, failed ones, checkpoints"
 DIRECTORY = re.compile(r"[0-9a-f]{8,128}(-[0-9a-f]{8})?(\.\d+)?$")
 
-
-def add_options(parser):
-    parser.add_argument("--stale", action="store_true",
-                        help="remove cases of other parameters than the present ones")
-    parser.add_argument("--failed", action="store_true",
-                        help="remove cases that have failed, so that they begin anew")
-    parser.add_argument("--checkpoints", action="store_true",
-                        help="remove the checkpoints of complete cases")
+OPTIONS = (
+    ("--stale", None, "remove cases of other parameters than the present ones"),
+    ("--failed", None, "remove cases that have failed, so that they begin anew"),
+    ("--checkpoints", None, "remove the checkpoints of complete cases"))
 
 
 def run(arguments, study):
@@ -64,20 +60,15 @@ def remove(path):
     """Unless somebody is at work there, by the lock of a case and of the program."""
     case = path if os.path.basename(path) != "checkpoint" else os.path.dirname(path)
     try:
-        with_lock = lock.Lock(os.path.dirname(case), os.path.basename(case) + ".lock")
+        with contextlib.closing(lock.Lock(os.path.dirname(case),
+                                          os.path.basename(case) + ".lock")):
+            lock.require_free(case)
+            cases.make_writable(case)
+            shutil.rmtree(path)
+            if path != case:
+                cases.make_read_only(case)
     except lock.InUse as error:
         print("  left alone: %s" % error)
-        return
-    try:
-        lock.require_free(case)
-        cases.make_writable(case)
-        shutil.rmtree(path)
-        if path != case:
-            cases.make_read_only(case)
-    except lock.InUse as error:
-        print("  left alone: %s" % error)
-    finally:
-        with_lock.release()
 
 
 def remove_loose_links(output):

@@ -6,12 +6,9 @@ import sys
 from . import collect
 
 HELP = "write the table OUTPUT/sweep.csv of all cases"
-
-
-def add_options(parser):
-    parser.add_argument("--mixed", action="store_true",
-                        help="with results of several revisions of the program, and "
-                             "results of other parameters where there are no new ones")
+OPTIONS = (
+    ("--mixed", None, "with results of several revisions of the program, and results of "
+     "other parameters where there are no new ones"),)
 
 
 def run(arguments, study):

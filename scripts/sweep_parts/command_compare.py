@@ -20,22 +20,18 @@ from study_parts.errors import StudyError
 
 HELP = "compare peaks, curves and paths with references; what lies within the scatter"
 OPENS_ITSELF = True
-
-
-def add_options(parser):
-    parser.add_argument("--reference", nargs="+", required=True, metavar="CSV",
-                        help="peaks, curves and digitised paths")
-    parser.add_argument("--deviations", type=float, default=1., metavar="K",
-                        help="standard deviations to each side of a mean that are "
-                        "within the scatter (1)")
-    parser.add_argument("--tolerance", nargs="+", default=[], metavar="NAME=LIMIT",
-                        help="peak, displacement, curve, area as 5%%, path, hausdorff "
-                        "in mm, scatter: how many figures may lie outside; decides on "
-                        "the exit status")
-    parser.add_argument("--figures", metavar="DIR",
-                        help="figures of the cases (OUTPUT/comparison); '' for none")
-    parser.add_argument("--format", choices=("svg", "png"), default="svg",
-                        help="of the figures (svg)")
+OPTIONS = (
+    ("--reference", "CSV", "peaks, curves and digitised paths",
+     {"nargs": "+", "required": True}),
+    ("--deviations", "K", "standard deviations to each side of a mean that are within "
+     "the scatter (1)", {"type": float, "default": 1.}),
+    ("--tolerance", "NAME=LIMIT", "peak, displacement, curve, area as 5%%, path, "
+     "hausdorff in mm, scatter: how many figures may lie outside; decides on the exit "
+     "status",
+     {"nargs": "+", "default": []}),
+    ("--figures", "DIR", "figures of the cases (OUTPUT/comparison); '' for none"),
+    ("--format", "{svg,png}", "of the figures (svg)",
+     {"choices": ("svg", "png"), "default": "svg"}))
 
 
 def run(arguments, _):
@@ -48,7 +44,8 @@ def run(arguments, _):
     runs, missing, output = runs_of(arguments)
     found, known = comparison.compared(runs, arguments.reference, arguments.deviations)
     missed = comparison.judged(found, tolerances)
-    missed += missing_ones(missing, known) if tolerances else []
+    missed += ["%s has not been run" % name for name in missing
+               if tolerances and known.used_by(name)]
     text = comparison_text.markdown(found, known, missed)
     safe.write_whole(os.path.join(output, "comparison.md"), text)
     safe.write_whole(os.path.join(output, "comparison.csv"),
@@ -69,8 +66,7 @@ def runs_of(arguments):
         runs = studies.runs_of(arguments.file, arguments.only)
         return runs, [], arguments.output or arguments.file
     from . import study
-    opened = study.Study(arguments.file, arguments.output, arguments.program,
-                         arguments.extra)
+    opened = study.opened(arguments)
     chosen = opened.chosen(arguments.only)
     there = [case for case in chosen if os.path.isfile(case.path("statistics.csv"))]
     missing = [case.name for case in chosen if case not in there]
@@ -80,10 +76,6 @@ def runs_of(arguments):
         raise StudyError("no case of %s has been run yet" % arguments.file)
     return ([studies.StudyRun(case.name, case.directory) for case in there], missing,
             opened.output)
-
-
-def missing_ones(names, known):
-    return ["%s has not been run" % name for name in names if known.used_by(name)]
 
 
 def draw(found, known, folder, suffix):

@@ -1,17 +1,13 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 """sweep.py plan: what there is to do."""
-import collections
 import signal
 
 from . import collect
 
 HELP = "list the cases with their ids and states; runs nothing, changes nothing"
-
-
-def add_options(parser):
-    parser.add_argument("--names", action="store_true",
-                        help="the names of what is missing only, one a line, for "
-                             "starters of other kinds")
+OPTIONS = (
+    ("--names", None, "the names of what is missing only, one a line, for starters of "
+     "other kinds"),)
 
 
 def run(arguments, study):
@@ -24,12 +20,7 @@ def run(arguments, study):
                 print(case.name)
         return 0
     print_table(chosen, states, study)
-    counts = collections.Counter(state for state, _ in states.values())
-    print("%d cases: %s" % (len(chosen), ", ".join(
-        "%d %s" % (number, state) for state, number in counts.items())))
-    old = collect.mixture_of(collect.rows_of(chosen))
-    if old:
-        print(old)
+    collect.print_counts(chosen, (state for state, _ in states.values()))
     print("program: %s, revision %s" % (study.program.path, study.program.revision))
     return 0
 

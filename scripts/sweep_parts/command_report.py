@@ -11,13 +11,10 @@ from study_parts.errors import StudyError
 HELP = "write OUTPUT/report.html: states, curves and cracks of all cases"
 OPENS_ITSELF = True
 SHORTEST = 1.  # s, between two pages
-
-
-def add_options(parser):
-    parser.add_argument("--every", type=float, metavar="SECONDS",
-                        help="again and again, until every case is complete or failed")
-    parser.add_argument("--pages", action="store_true",
-                        help="a page of each case as well, OUTPUT/pages/NAME.html")
+OPTIONS = (
+    ("--every", "SECONDS", "again and again, until every case is complete or failed",
+     {"type": float}),
+    ("--pages", None, "a page of each case as well, OUTPUT/pages/NAME.html"))
 
 
 def run(arguments, _):
@@ -29,8 +26,7 @@ def run(arguments, _):
 
     from . import study
     while True:
-        opened = study.Study(arguments.file, arguments.output, arguments.program,
-                             arguments.extra)
+        opened = study.opened(arguments)
         over = write(opened, opened.chosen(arguments.only), arguments.pages, sweep_page)
         if over or arguments.every is None:
             return 0

@@ -2,29 +2,23 @@
 """sweep.py run: what is missing, on this machine."""
 import contextlib
 import os
+import shlex
 import signal
 import sys
 
+from report_parts import safe
+
 from . import collect, resources, runner
 from .progress import Progress
-from .resources import positive
 
 HELP = "run what is missing here, several at a time, and write the table"
-
-
-def add_options(parser):
-    resources.add_options(parser, ("ranks", "launcher"))
-    parser.add_argument("--jobs", type=positive, default=1, metavar="J",
-                        help="runs at a time (1)")
-    parser.add_argument("--mpirun", metavar="COMMAND", dest="launcher",
-                        help="the same as --launcher (mpirun)")
-    parser.add_argument("--list", action="store_true",
-                        help="print one line with the command of each run")
-    parser.add_argument("--table-only", action="store_true",
-                        help="run nothing, write the table of what there is")
-    parser.add_argument("--again", action="store_true",
-                        help="repeat runs that are complete as well; what was there is "
-                             "kept beside it")
+OPTIONS = resources.options("ranks", "launcher") + [
+    ("--jobs", "J", "runs at a time (1)", {"type": resources.positive, "default": 1}),
+    ("--mpirun", "COMMAND", "the same as --launcher (mpirun)", {"dest": "launcher"}),
+    ("--list", None, "print one line with the command of each run"),
+    ("--table-only", None, "run nothing, write the table of what there is"),
+    ("--again", None, "repeat runs that are complete as well; what was there is kept "
+     "beside it")]
 
 
 def run(arguments, study):
@@ -32,14 +26,11 @@ def run(arguments, study):
     if arguments.table_only:
         os.makedirs(study.output, exist_ok=True)
         return write_table(study, chosen, {}, True)
-    given = resources.resources_of(arguments)
-    words = resources.launcher_of(given)
-    launcher = words.split() if arguments.list else resources.launcher_words(words)
-    launch = runner.Launch(study.program, launcher, given["ranks"])
+    launch = runner.launch_of(arguments, study.program, needed=not arguments.list)
     if arguments.list:
         signal.signal(signal.SIGPIPE, signal.SIG_DFL)  # as in "--list | head -1"
         for case in chosen:
-            print(runner.shlex_joined(launch.command(case, case.has_checkpoint())))
+            print(shlex.join(launch.command(case, case.has_checkpoint())))
         return 0
     with contextlib.closing(study.claim()):
         statuses, whole = run_those_left(chosen, launch, arguments)
@@ -71,11 +62,9 @@ def run_those_left(chosen, launch, arguments):
 
 def missing_of(chosen):
     """The cases that are not complete, each id once."""
-    left = {}
-    for case in chosen:
-        if not case.is_complete():
-            left.setdefault(case.id, case)
-    return list(left.values())
+    left = safe.grouped((case for case in chosen if not case.is_complete()),
+                        lambda case: case.id)
+    return [own[0] for own in left.values()]
 
 
 def write_table(study, chosen, statuses, whole):

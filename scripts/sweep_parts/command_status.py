@@ -1,6 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 """sweep.py status: where each case stands, by its files and the queue."""
-import collections
 import os
 import signal
 import sys
@@ -9,10 +8,7 @@ import time
 from . import collect, jobs, slurm, table
 
 HELP = "tell what is queued, running (step, load, age, time left), failed (why)"
-
-
-def add_options(parser):
-    del parser
+OPTIONS = ()
 
 
 def run(arguments, study):
@@ -29,12 +25,7 @@ def run(arguments, study):
     width = max(len(line[0]) for line in lines)
     for name, state, job, words in lines:
         print("%-*s  %-8s  %-22s  %s" % (width, name, state, job, words))
-    counts = collections.Counter(state for _, state, _, _ in lines)
-    print("%d cases: %s" % (len(chosen), ", ".join(
-        "%d %s" % (number, state) for state, number in counts.items())))
-    mixture = collect.mixture_of(collect.rows_of(chosen))
-    if mixture:
-        print(mixture)
+    collect.print_counts(chosen, (state for _, state, _, _ in lines))
     return 0
 
 
@@ -62,7 +53,7 @@ def progress(case, task):
     """Of a case that is running: step, load, age of the last row, time left."""
     path = case.path("statistics.csv")
     rows = table.statistics_of(case.directory)
-    words = []
+    words = [] if rows else ["no step yet"]
     if rows:
         force = table.force_column(rows)
         words = ["step %d" % rows[-1].get("step", 0)]
@@ -70,8 +61,6 @@ def progress(case, task):
             if "displacement_mm" in rows[-1] else []
         words += ["%.4g N" % rows[-1].get(force, 0.)] if force else []
         words.append("last row %.0f s ago" % (time.time() - os.path.getmtime(path)))
-    else:
-        words.append("no step yet")
     if task and task.left not in ("", "INVALID", "NOT_SET"):
         words.append("%s left" % task.left)
     return [", ".join(words)]

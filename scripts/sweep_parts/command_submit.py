@@ -4,23 +4,21 @@ that writes the table."""
 import collections
 import contextlib
 import os
+import pathlib
 import re
 import sys
 import uuid
+
+from report_parts import safe
 
 from . import jobs, manifest, resources, slurm
 from .collect import shortened
 
 HELP = "submit what is missing as an array of jobs, and the table behind it"
-
-
-def add_options(parser):
-    resources.add_options(parser)
-    parser.add_argument("--dry-run", action="store_true",
-                        help="show what would be submitted; change nothing")
-    parser.add_argument("--failed", action="store_true",
-                        help="also what has failed and would fail again, as nothing "
-                             "has changed")
+OPTIONS = resources.options() + [
+    ("--dry-run", None, "show what would be submitted; change nothing"),
+    ("--failed", None, "also what has failed and would fail again, as nothing has "
+     "changed")]
 
 
 def run(arguments, study):
@@ -28,9 +26,8 @@ def run(arguments, study):
     if not arguments.dry_run:
         slurm.require()
     try:
-        if arguments.dry_run:
-            return submitted(arguments, study, given)
-        with contextlib.closing(study.claim()):
+        with contextlib.nullcontext() if arguments.dry_run \
+                else contextlib.closing(study.claim()):
             return submitted(arguments, study, given)
     except slurm.QueueError as error:
         print("sweep.py: %s" % error, file=sys.stderr)
@@ -97,29 +94,25 @@ def choice(cases, queued, study, with_failed):
 
 def is_hopeless(case, study):
     """Whether the program itself has ended it, and would again."""
-    piece = case.pieces()[-1]
+    piece = case.record()["pieces"][-1]
     return piece.get("exit_status") in (2, 3) and not piece.get("given_up") \
         and piece.get("checksum") == study.program.checksum \
-        and piece.get("base_checksum") == study.sweep.base_checksum() \
+        and piece.get("base_checksum") == safe.checksum_of(study.sweep.base) \
         and piece.get("settings") == dict(case.settings)
 
 
 def freeze(study, cases, given):
     """The Manifest of what is submitted; nothing is written."""
-    stem = re.sub(r"[^A-Za-z0-9_.-]", "_", os.path.splitext(
-        os.path.basename(study.sweep.path))[0])
+    stem = re.sub(r"[^A-Za-z0-9_.-]", "_", pathlib.Path(study.sweep.path).stem)
     token = "%s.%s" % (stem, uuid.uuid4().hex[:8])
     names = [case.name for case in cases]
     together = given["cases per job"]
     groups = [names[k:k + together] for k in range(0, len(names), together)]
     largest = slurm.max_array_size()
-    arrays = []
-    for first in range(0, len(groups), largest):
-        arrays.append({"job_name": "%s.%d" % (token, len(arrays)), "first": first,
-                       "count": min(largest, len(groups) - first), "job": None})
-    launcher = given["launcher"]
-    if launcher is None:
-        launcher = slurm.launcher()
+    arrays = [{"job_name": "%s.%d" % (token, number), "first": first,
+               "count": min(largest, len(groups) - first), "job": None}
+              for number, first in enumerate(range(0, len(groups), largest))]
+    launcher = slurm.launcher() if given["launcher"] is None else given["launcher"]
     return manifest.frozen(study, cases, groups, arrays, token, launcher,
                            given["ranks"])
 
@@ -144,6 +137,5 @@ def hand_over(frozen, texts, behind):
 
 def written(frozen, name, text):
     path = os.path.join(frozen.folder, name)
-    with open(path, "w", encoding="utf-8") as stream:
-        stream.write(text)
+    safe.write_whole(path, text)
     return path

@@ -19,22 +19,17 @@ import os
 import sys
 import time
 
-from . import manifest, resources, runner, slurm
+from . import manifest, resources, runner, slurm, study
 from .advance import FAILED, FILES, OF_ITSELF, PATIENCE, REFUSED, STOPPED, TOO_EARLY
 from .errors import SweepError
 from .program import Program
-from .study import Study
 
 HELP = "calculate cases by name; for a job of any queue"
 OPENS_ITSELF = True
-
-
-def add_options(parser):
-    parser.add_argument("names", metavar="NAME", nargs="*",
-                        help="of cases; several run side by side")
-    parser.add_argument("--group", type=int, metavar="K",
-                        help="of a manifest: the cases of its K-th task, from 0")
-    resources.add_options(parser, ("ranks", "launcher"))
+OPTIONS = [
+    ("names", "NAME", "of cases; several run side by side", {"nargs": "*"}),
+    ("--group", "K", "of a manifest: the cases of its K-th task, from 0",
+     {"type": int})] + resources.options("ranks", "launcher")
 
 
 def run(arguments, _):
@@ -58,14 +53,11 @@ def opened(arguments):
         return of_manifest(arguments)
     if arguments.group is not None or not arguments.names:
         raise SweepError("task expects names of cases; --group is for a manifest")
-    study = Study(arguments.file, arguments.output, arguments.program, arguments.extra,
-                  arguments.names)
-    if not study.owner():
-        study.claim(PATIENCE).release()
-    given = resources.resources_of(arguments)
-    words = resources.launcher_words(resources.launcher_of(given))
-    return (list(study.cases.values()),
-            runner.Launch(study.program, words, given["ranks"], slurm.own_job()))
+    found = study.opened(arguments, arguments.names)
+    if not found.owner():
+        found.claim(PATIENCE).release()
+    return (list(found.cases.values()),
+            runner.launch_of(arguments, found.program, slurm.own_job()))
 
 
 def of_manifest(arguments):

@@ -9,6 +9,7 @@ their own, OUTPUT/uncertainty.sweep; OUTPUT/uncertainty.md has the tables, and
 OUTPUT/uncertainty.svg the curves and the bundle of paths."""
 import os
 
+from report_parts import safe
 from study_parts import derived, drawing, here, variations
 from study_parts.errors import StudyError
 
@@ -18,16 +19,11 @@ from .program import Program
 HELP = "how sure peak, displacement and path are: one change at a time"
 OPENS_ITSELF = True
 BASE = "as_it_is"
-
-
-def add_options(parser):
-    here.add_options(parser)
-    parser.add_argument("--parameters", nargs="+", default=[], metavar="ENTRY",
-                        help="these up and down as well, one at a time")
-    parser.add_argument("--by", type=float, default=10., metavar="PERCENT",
-                        help="how far (10)")
-    parser.add_argument("--figure", metavar="FILE",
-                        help="the figure, .svg or .png (OUTPUT/uncertainty.svg)")
+OPTIONS = here.OPTIONS + [
+    ("--parameters", "ENTRY", "these up and down as well, one at a time",
+     {"nargs": "+", "default": []}),
+    ("--by", "PERCENT", "how far (10)", {"type": float, "default": 10.}),
+    ("--figure", "FILE", "the figure, .svg or .png (OUTPUT/uncertainty.svg)")]
 
 
 def run(arguments, _):
@@ -45,8 +41,7 @@ def run(arguments, _):
     program = Program(arguments.program)
     bringing = here.runs_of(arguments, program)
     entries = [sweep_file.entry_of(text) for text in arguments.parameters]
-    several = source.allowed(name, variations.variations_of(
-        source.effective(name, program), entries, 0.01 * arguments.by), program)
+    several = source.allowed(name, program, entries, 0.01 * arguments.by)
     runs = {BASE: source.runs[name]}
     runs.update((variations.case_name(v), source.varied(name, v)) for v in several)
     study = derived.study_of("uncertainty", source, runs, output, program)
@@ -68,8 +63,7 @@ def write_files(study, several, output, figure):
         for v, run in zip(several, of_variations)])
     text = uncertainty.markdown(found)
     path = os.path.join(output, "uncertainty.md")
-    with open(path, "w", encoding="utf-8") as stream:
-        stream.write(text)
+    safe.write_whole(path, text)
     print(text)
     print(path)
     figure = figure or os.path.join(output, "uncertainty.svg")

@@ -3,6 +3,7 @@
 that go together."""
 import collections
 import itertools
+import math
 import re
 
 from .errors import SweepError
@@ -48,9 +49,7 @@ class Grids:
                              % self.pattern)
         factors = [list(zip(*([(title, value) for value in values]
                               for title, values in axis))) for axis in self.axes]
-        count = 1
-        for factor in factors:
-            count *= len(factor)
+        count = math.prod(map(len, factors))
         if count > LARGEST:
             raise SweepError("the grids have %d points; at most %d are allowed"
                              % (count, LARGEST))
@@ -99,7 +98,7 @@ def title_and_values(words):
     if len(words) < 3 or words[1] != ":":
         raise SweepError("expected '\"Subsection/Entry\" : value value' (or a range as "
                          "6:18:2), found '%s'" % " ".join(words))
-    title = "/".join(" ".join(part.split()) for part in words[0].split("/"))
+    title = entry_of(words[0])
     if not all(title.split("/")):
         raise SweepError("expected \"Subsection/Entry\" before the ':', found '%s'"
                          % words[0])
@@ -108,6 +107,11 @@ def title_and_values(words):
         if count > 1:
             raise SweepError("'%s' has the value %s twice" % (title, value))
     return title, values
+
+
+def entry_of(text):
+    """An entry without needless blanks."""
+    return "/".join(" ".join(part.split()) for part in text.split("/"))
 
 
 def values_of(word):

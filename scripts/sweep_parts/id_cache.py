@@ -7,6 +7,7 @@ that these name are what they were. A name is anything in them that leads to a f
 from the folder of the base file or from the working directory; parameter files that
 are included are searched in turn.
 """
+import contextlib
 import hashlib
 import json
 import os
@@ -27,14 +28,9 @@ class IdCache:
         self.folders = (os.path.dirname(os.path.abspath(base)), os.getcwd())
         self.program, self.base = program, base
         self.sums, self.files = {}, None
-        self.known, self.changed, self.used = self.read(), False, set()
-
-    def read(self):
-        try:
-            known = json.loads(safe.read_text(self.path) or "{}")
-        except ValueError:
-            return {}
-        return known if isinstance(known, dict) else {}
+        known = safe.read_json(self.path)
+        self.known = known if isinstance(known, dict) else {}
+        self.changed, self.used = False, set()
 
     def key(self, words):
         """Of words for the program."""
@@ -60,10 +56,8 @@ class IdCache:
             return
         if len(self.known) > MOST:
             self.known = {key: self.known[key] for key in self.used}
-        try:
+        with contextlib.suppress(OSError):
             safe.write_whole(self.path, json.dumps(self.known))
-        except OSError:
-            pass
 
     def named_in_file(self, path, seen):
         """Paths of the files that a file and those it includes name, and its own."""
@@ -89,9 +83,6 @@ class IdCache:
     def sum_of(self, path):
         if path not in self.sums:
             known = os.stat(path)
-            if known.st_size > LARGE:
-                self.sums[path] = "%d %d" % (known.st_size, known.st_mtime_ns)
-            else:
-                with open(path, "rb") as stream:
-                    self.sums[path] = hashlib.sha256(stream.read()).hexdigest()
+            self.sums[path] = safe.checksum_of(path) if known.st_size <= LARGE \
+                else "%d %d" % (known.st_size, known.st_mtime_ns)
         return self.sums[path]

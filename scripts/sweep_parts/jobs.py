@@ -1,8 +1,11 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 """The cases of a sweep in the queue, and the text of the jobs that are submitted."""
 import os
+import re
 import shlex
 import sys
+
+from report_parts import safe
 
 from . import manifest, slurm
 from .program import ENVIRONMENT
@@ -14,10 +17,7 @@ SWEEP = os.path.join(os.path.dirname(os.path.dirname(os.path.realpath(__file__))
 def in_queue(output):
     """{name of a case: (Task, id of the case)} of what this user has in the queue of
     the submissions of a directory; the newest counts. Raises QueueError."""
-    tasks = {}
-    for task in slurm.queue():
-        tasks.setdefault(task.name, []).append(task)
-    found = {}
+    tasks, found = safe.grouped(slurm.queue(), lambda task: task.name), {}
     for frozen in manifest.all_of(output):
         for array in frozen.content["arrays"]:
             for task in tasks.get(array["job_name"], ()):
@@ -29,38 +29,26 @@ def in_queue(output):
 
 def quoted(text):
     """A word of an #SBATCH line."""
-    if all(letter.isalnum() or letter in "_-+=./,:%@" for letter in text):
-        return text
-    return '"%s"' % text.replace("\\", "\\\\").replace('"', '\\"')
+    return text if re.fullmatch(r"[\w+=./,:%@-]*", text) else \
+        '"%s"' % text.replace("\\", "\\\\").replace('"', '\\"')
 
 
-def head(options):
-    return "\n".join(["#!/bin/bash"] + ["#SBATCH " + quoted("--" + option)
-                                        for option in options])
-
-
-def where(given):
-    """Options of sbatch on where a job runs, and for how long."""
-    names = (("partition", "partition"), ("account", "account"))
-    return ["%s=%s" % (option, given[key]) for key, option in names if given[key]]
-
-
-def more(given):
-    """Of the user, as lines."""
-    return "".join("\n#SBATCH " + word for word in given["sbatch"].split())
-
-
-def setup(given):
-    lines = ["export %s=%s" % pair for pair in ENVIRONMENT.items()
+def script(options, given, *words):
+    """A job with these options of sbatch, and the user's; words: the last lines."""
+    options = options + ["%s=%s" % (key, given[key]) for key in ("partition", "account")
+                         if given[key]]
+    lines = ["#!/bin/bash"] + ["#SBATCH " + quoted("--" + option) for option in options]
+    lines += ["#SBATCH " + word for word in given["sbatch"].split()]
+    lines += ["export %s=%s" % pair for pair in ENVIRONMENT.items()
              if pair[0].endswith("_THREADS")]
     if hasattr(os, "geteuid") and os.geteuid() == 0:
         lines += ["export %s=%s" % pair for pair in ENVIRONMENT.items()
                   if "ROOT" in pair[0]]
-    return "\n".join(lines + given["setup"].strip().splitlines())
+    return "\n".join(lines + given["setup"].strip().splitlines() + list(words)) + "\n"
 
 
 def command(*words):
-    return " ".join(shlex.quote(word) for word in (sys.executable, SWEEP) + words)
+    return shlex.join((sys.executable, SWEEP) + words)
 
 
 def array_text(frozen, array, given):
@@ -78,10 +66,9 @@ def array_text(frozen, array, given):
     number = "$SLURM_ARRAY_TASK_ID"
     if array["first"]:
         number = "$((%d + SLURM_ARRAY_TASK_ID))" % array["first"]
-    return "%s%s\n%s\n# the last line of all: what ends the job is to reach it\n" \
-        "exec %s --group %s\n" % (
-            head(options + where(given)), more(given), setup(given),
-            command("task", frozen.path), number)
+    return script(options, given,
+                  "# the last line of all: what ends the job is to reach it",
+                  "exec %s --group %s" % (command("task", frozen.path), number))
 
 
 def collect_text(frozen, given, study):
@@ -89,7 +76,6 @@ def collect_text(frozen, given, study):
     options = ["job-name=" + frozen.content["token"] + ".collect",
                "output=" + os.path.join(frozen.folder, "collect.log"),
                "open-mode=append", "ntasks=1", "time=30"]
-    return "%s%s\n%s\nexec %s\n" % (
-        head(options + where(given)), more(given), setup(given),
-        command("collect", os.path.abspath(study.sweep.path), "--output", study.output,
-                "--program", study.program.path))
+    return script(options, given, "exec " + command(
+        "collect", os.path.abspath(study.sweep.path), "--output", study.output,
+        "--program", study.program.path))

@@ -7,6 +7,8 @@ import os
 import socket
 import time
 
+from report_parts import safe
+
 try:
     import fcntl
 except ImportError:  # no locks on this system
@@ -29,17 +31,11 @@ class InUse(Exception):
 
 def holder_of(path):
     """In words, from the contents of a lock file."""
-    known = {}
-    try:
-        with open(path, encoding="utf-8", errors="replace") as stream:
-            for line in stream:
-                word, _, rest = line.strip().partition(" ")
-                known[word] = rest
-    except OSError:
-        pass
-    if not all(known.get(word) for word in ("host", "process", "since")):
-        return "another process"
-    return "process %(process)s on host %(host)s since %(since)s" % known
+    known = dict(line.strip().partition(" ")[::2]
+                 for line in (safe.read_text(path) or "").splitlines())
+    return "process %(process)s on host %(host)s since %(since)s" % known \
+        if all(known.get(word) for word in ("host", "process", "since")) \
+        else "another process"
 
 
 class Lock:
@@ -74,8 +70,7 @@ class Lock:
                 stream.close()
         self.stream.truncate(0)
         self.stream.write("host %s\nprocess %d\nsince %s\n" % (
-            socket.gethostname(), os.getpid(),
-            time.strftime("%Y-%m-%d %H:%M:%S UTC", time.gmtime())))
+            socket.gethostname(), os.getpid(), now()))
         self.stream.flush()
 
     def release(self):
@@ -84,6 +79,10 @@ class Lock:
         self.stream.close()
 
     close = release  # for contextlib.closing
+
+
+def now():
+    return time.strftime("%Y-%m-%d %H:%M:%S UTC", time.gmtime())
 
 
 def is_at(path, stream):

@@ -2,6 +2,7 @@
 """What has been submitted, frozen: OUTPUT/submissions/TOKEN/manifest.json with the
 cases by name, their ids and settings, and which of them a task of an array has.
 Lines that are added to the sweep file later change nothing in it."""
+import contextlib
 import glob
 import json
 import os
@@ -46,10 +47,9 @@ class Manifest:
 
     def names_of(self, job_name, index):
         """The cases of a task of the queue; none when it is of another array."""
-        for array in self.content["arrays"]:
-            if array["job_name"] == job_name and 0 <= index < array["count"]:
-                return self.groups[array["first"] + index]
-        return []
+        return next((self.groups[array["first"] + index]
+                     for array in self.content["arrays"]
+                     if array["job_name"] == job_name and 0 <= index < array["count"]), [])
 
 
 def frozen(study, chosen, groups, arrays, token, launcher, ranks):
@@ -67,7 +67,7 @@ def frozen(study, chosen, groups, arrays, token, launcher, ranks):
 def read(path):
     """Raises SweepError."""
     try:
-        return Manifest(json.loads(safe.read_text(path) or ""))
+        return Manifest(safe.read_json(path))
     except (ValueError, KeyError, TypeError):
         raise SweepError("%s is no manifest of a submission" % path)
 
@@ -76,8 +76,6 @@ def all_of(output):
     """[Manifest] of a directory of a sweep, oldest first; damaged ones are left out."""
     found = []
     for path in glob.glob(os.path.join(glob.escape(output), FOLDER, "*", FILE)):
-        try:
+        with contextlib.suppress(SweepError, OSError):
             found.append((os.path.getmtime(path), path, read(path)))
-        except (SweepError, OSError):
-            pass
     return [manifest for _, _, manifest in sorted(found, key=lambda item: item[:2])]

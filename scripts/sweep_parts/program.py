@@ -1,11 +1,13 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 """The program that a sweep runs: where it is, which revision, and what it says of
 the identity of a case."""
-import hashlib
+import functools
 import os
 import re
 import shutil
 import subprocess
+
+from report_parts import safe
 
 from .errors import SweepError
 
@@ -30,11 +32,10 @@ def environment():
 def found():
     """The program of this source tree, beside this installation, or on the PATH."""
     scripts = os.path.dirname(os.path.dirname(os.path.realpath(__file__)))
-    for path in (os.path.join(scripts, os.pardir, "build", "mixed-cracks"),
-                 os.path.join(scripts, os.pardir, os.pardir, os.pardir, "bin",
-                              "mixed-cracks")):
+    for place in ("../build/mixed-cracks", "../../../bin/mixed-cracks"):
+        path = os.path.normpath(os.path.join(scripts, place))
         if os.access(path, os.X_OK):
-            return os.path.normpath(path)
+            return path
     return shutil.which("mixed-cracks")
 
 
@@ -42,17 +43,15 @@ class Program:
     """path: absolute; None looks for it. Raises SweepError."""
 
     def __init__(self, path=None):
+        path = path or found()
         if path is None:
-            path = found()
-            if path is None:
-                raise SweepError("mixed-cracks is neither in build/ nor on the PATH; "
-                                 "name it with --program")
-        elif os.sep not in path:
+            raise SweepError("mixed-cracks is neither in build/ nor on the PATH; "
+                             "name it with --program")
+        if os.sep not in path:
             path = shutil.which(path) or path
         self.path = os.path.abspath(path)
         if not os.path.isfile(self.path) or not os.access(self.path, os.X_OK):
             raise SweepError("--program: '%s' cannot be run" % self.path)
-        self.known = {}
 
     def said(self, *words):
         """(exit status, what it says on stdout, on stderr)."""
@@ -60,48 +59,33 @@ class Program:
                         if not name.startswith(OF_A_QUEUE)}
         try:
             process = subprocess.run([self.path, *words], stdin=subprocess.DEVNULL,
-                                     stdout=subprocess.PIPE, stderr=subprocess.PIPE,
-                                     env=surroundings, check=False)
+                                     capture_output=True, encoding="utf-8",
+                                     errors="replace", env=surroundings, check=False)
         except OSError as error:
             raise SweepError("'%s' cannot be run: %s" % (self.path, error))
-        return (process.returncode, process.stdout.decode("utf-8", "replace"),
-                process.stderr.decode("utf-8", "replace"))
+        return process.returncode, process.stdout, process.stderr
 
     def expect(self, checksum, revision):
         """Spares asking for the revision of a file of this checksum."""
         if self.checksum == checksum:
-            self.known["revision"] = revision
+            self.revision = revision
 
-    @property
+    @functools.cached_property
     def revision(self):
-        if "revision" not in self.known:
-            match = re.search(r"revision ([^\s()]+)", self.said("--version")[1])
-            self.known["revision"] = match.group(1) if match else "unknown"
-        return self.known["revision"]
+        match = re.search(r"revision ([^\s()]+)", self.said("--version")[1])
+        return match.group(1) if match else "unknown"
 
-    @property
+    @functools.cached_property
     def checksum(self):
-        """SHA-256 of the file."""
-        if "checksum" not in self.known:
-            digest = hashlib.sha256()
-            with open(self.path, "rb") as stream:
-                for part in iter(lambda: stream.read(1 << 20), b""):
-                    digest.update(part)
-            self.known["checksum"] = digest.hexdigest()
-        return self.known["checksum"]
+        return safe.checksum_of(self.path)
 
-    def case_id(self, base, options):
+    def case_id(self, base, options, full=False):
         """What a case is, as `mixed-cracks --case-id` says: the same for the same
-        parameters and files read, whatever they are written like. Raises SweepError
-        with the message of the program for wrong input."""
-        return self.id_from(base, options, "--case-id")
-
-    def full_id(self, base, options):
-        """The same where entries count that may change when a run goes on."""
-        return self.id_from(base, options, "--case-id=full")
-
-    def id_from(self, base, options, question):
-        status, output, errors = self.said(base, *options, question)
+        parameters and files read, whatever they are written like; full: entries count
+        as well that may change when a run goes on. Raises SweepError with the message
+        of the program for wrong input."""
+        status, output, errors = self.said(base, *options,
+                                           "--case-id=full" if full else "--case-id")
         lines = output.split("\n")
         if status == 0 and len(lines) == 2 and ID.match(lines[0]):
             return lines[0]

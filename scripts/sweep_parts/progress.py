@@ -2,6 +2,7 @@
 """How far a study is and how long it will take: one line on a terminal, which is
 written anew, and a line for every case that ends. Python's own library only."""
 import os
+import statistics
 import sys
 import threading
 import time
@@ -40,15 +41,15 @@ def left_of_one(elapsed, share, typical):
 def time_left(taken, running, n_waiting, at_once):
     """Seconds until a study is done, or None. taken: seconds of each run that has
     ended; running: [(seconds so far, share done or None)]; at_once: runs at a time."""
-    typical = sum(taken) / len(taken) if taken else None
+    typical = statistics.mean(taken) if taken else None
     left = [left_of_one(elapsed, share, typical) for elapsed, share in running]
     if None in left:
         return None
     if n_waiting and typical is None:
-        whole = [elapsed + rest for (elapsed, _), rest in zip(running, left)]
-        if not whole:
+        if not running:
             return None
-        typical = sum(whole) / len(whole)
+        typical = statistics.mean(elapsed + rest
+                                  for (elapsed, _), rest in zip(running, left))
     total = sum(left) + n_waiting * (typical or 0.)
     # not sooner than the longest of those that run
     return max([total / max(at_once, 1)] + left)
@@ -59,9 +60,7 @@ def in_words(seconds):
     if seconds < 90.:
         return "%d s" % max(round(seconds), 1)
     minutes = round(seconds / 60.)
-    if minutes < 90:
-        return "%d min" % minutes
-    return "%d h %d min" % divmod(minutes, 60)
+    return "%d min" % minutes if minutes < 90 else "%d h %d min" % divmod(minutes, 60)
 
 
 class Progress:

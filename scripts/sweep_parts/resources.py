@@ -61,24 +61,21 @@ KEYS = {
 }
 
 
-def add_options(parser, names=tuple(KEYS)):
-    for name in names:
-        key = KEYS[name]
-        parser.add_argument("--" + name.replace(" ", "-"), type=key.type,
-                            metavar=key.metavar, help=key.help)
-    parser.add_argument("--cluster", metavar="FILE", help="resources (cluster.ini "
-                        "beside the sweep file, or in this directory)")
+def options(*names):
+    """The table of report_parts/options.py; of all keys where none is named."""
+    return [("--" + name.replace(" ", "-"), key.metavar, key.help, {"type": key.type})
+            for name, key in KEYS.items() if name in (names or KEYS)] \
+        + [("--cluster", "FILE", "resources (cluster.ini beside the sweep file, or in "
+            "this directory)")]
 
 
 def file_of(arguments):
     """Path of cluster.ini, or None."""
     if arguments.cluster:
         return arguments.cluster
-    for folder in (os.path.dirname(os.path.abspath(arguments.file)), os.getcwd()):
-        path = os.path.join(folder, FILE)
-        if os.path.isfile(path):
-            return path
-    return None
+    folders = os.path.dirname(os.path.abspath(arguments.file)), os.getcwd()
+    return next(filter(os.path.isfile, (os.path.join(folder, FILE)
+                                        for folder in folders)), None)
 
 
 def read_file(path):
@@ -118,14 +115,10 @@ def resources_of(arguments):
     return found
 
 
-def launcher_of(given):
-    """The text of the launcher among resources: mpirun where none is named."""
-    return "mpirun" if given["launcher"] is None else given["launcher"]
-
-
-def launcher_words(text):
-    """Of a launcher that has to be on this machine; raises SweepError."""
-    words = shlex.split(text)
-    if words and shutil.which(words[0]) is None:
+def launcher_words(text, needed=True):
+    """Of a launcher, mpirun for None, that has to be on this machine where it is
+    needed; raises SweepError."""
+    words = shlex.split("mpirun" if text is None else text)
+    if needed and words and shutil.which(words[0]) is None:
         raise SweepError("--launcher: there is no '%s'" % words[0])
     return words

@@ -1,19 +1,15 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 """Advances cases, several at a time, on this machine or within a job of a queue."""
-import shlex
+import contextlib
 import signal
 import subprocess
 import threading
 import time
 from concurrent.futures import ThreadPoolExecutor, as_completed
 
-from . import lock
+from . import lock, resources
 from .advance import FILES, Piece
 from .program import environment
-
-
-def shlex_joined(words):
-    return " ".join(shlex.quote(word) for word in words)
 
 
 class Launch:
@@ -21,14 +17,19 @@ class Launch:
 
     def __init__(self, program, launcher, ranks, job=None):
         self.program, self.ranks, self.job = program, ranks, job or {}
-        self.launcher = list(launcher)
-        if self.launcher:
-            self.launcher += ["-n", str(ranks)]
+        self.launcher = [*launcher, "-n", str(ranks)] if launcher else []
 
     def command(self, case, resume):
         return self.launcher + [
             self.program.path, "--resume" if resume else "--overwrite",
             "--output", case.directory] + case.options + [case.base]
+
+
+def launch_of(arguments, program, job=None, needed=True):
+    """A Launch as options and cluster.ini say; needed: on this machine."""
+    given = resources.resources_of(arguments)
+    return Launch(program, resources.launcher_words(given["launcher"], needed),
+                  given["ranks"], job)
 
 
 class Runner:
@@ -61,10 +62,8 @@ class Runner:
                 how = signal.SIGTERM
             self.signal = self.signal or number
             for process in self.going_on:
-                try:
+                with contextlib.suppress(OSError):
                     process.send_signal(how)
-                except OSError:
-                    pass
 
     def status_of(self, process):
         """Waits for it. A launcher that has just started may lose a signal."""

@@ -42,9 +42,8 @@ def require():
 def called(*words):
     """What a command of Slurm says; raises QueueError."""
     try:
-        process = subprocess.run(words, stdin=subprocess.DEVNULL, stdout=subprocess.PIPE,
-                                 stderr=subprocess.PIPE, universal_newlines=True,
-                                 timeout=120., check=False)
+        process = subprocess.run(words, stdin=subprocess.DEVNULL, capture_output=True,
+                                 text=True, timeout=120., check=False)
     except (OSError, subprocess.TimeoutExpired) as error:
         raise QueueError("%s: %s" % (words[0], error))
     if process.returncode != 0:
@@ -53,16 +52,20 @@ def called(*words):
     return process.stdout
 
 
+def known_of(*words):
+    """The same; '' where there is no answer."""
+    try:
+        return called(*words)
+    except QueueError:
+        return ""
+
+
 def queue():
     """[Task] of this user: what waits, runs or is about to end. Raises QueueError."""
-    user = str(os.getuid())
-    text = called("squeue", "--noheader", "--array", "--user", user, "--format", FORMAT)
-    tasks = []
-    for line in text.splitlines():
-        words = line.strip().split("|")
-        if len(words) == len(Task._fields):
-            tasks.append(Task(*words))
-    return tasks
+    text = called("squeue", "--noheader", "--array", "--user", str(os.getuid()),
+                  "--format", FORMAT)
+    lines = [line.strip().split("|") for line in text.splitlines()]
+    return [Task(*words) for words in lines if len(words) == len(Task._fields)]
 
 
 def patiently(function, patient=True):
@@ -105,21 +108,14 @@ def cancel(jobs):
 def max_array_size():
     """One more than the largest index of an array; Slurm's default where there is no
     Slurm."""
-    try:
-        text = called("scontrol", "show", "config")
-    except QueueError:
-        text = ""
-    match = re.search(r"MaxArraySize\s*=\s*(\d+)", text)
+    match = re.search(r"MaxArraySize\s*=\s*(\d+)", known_of("scontrol", "show", "config"))
     return int(match.group(1)) if match else 1001
 
 
 def launcher():
     """What starts ranks within a job: srun, where it speaks pmix."""
-    try:
-        known = called("srun", "--mpi=list")
-    except QueueError:
-        known = ""
-    return "srun --exact --mpi=pmix" if "pmix" in known.split() else "mpirun"
+    return "srun --exact --mpi=pmix" \
+        if "pmix" in known_of("srun", "--mpi=list").split() else "mpirun"
 
 
 # within a job
@@ -138,10 +134,8 @@ def own_job():
 
 
 def own_id():
-    known = os.environ
-    if "SLURM_ARRAY_JOB_ID" in known:
-        return "%s_%s" % (known["SLURM_ARRAY_JOB_ID"], known["SLURM_ARRAY_TASK_ID"])
-    return known["SLURM_JOB_ID"]
+    return "%(SLURM_ARRAY_JOB_ID)s_%(SLURM_ARRAY_TASK_ID)s" % os.environ \
+        if "SLURM_ARRAY_JOB_ID" in os.environ else os.environ["SLURM_JOB_ID"]
 
 
 def requeue_own():

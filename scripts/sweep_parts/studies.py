@@ -1,12 +1,13 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 """Runs of a sweep with their results, as figures and comparisons need them."""
 import csv
-import fnmatch
 import os
 
 from report_parts import moments
 from report_parts.results import Results
 from study_parts.errors import StudyError
+
+from .sweep_file import matching
 
 
 class StudyRun:
@@ -93,11 +94,9 @@ def runs_of(directory, patterns):
         raise StudyError("there is no directory '%s'" % directory)
     places = places_of(directory)
     for pattern in patterns or ():
-        if not fnmatch.filter(places, pattern):
+        if not matching(places, [pattern]):
             raise StudyError("--only: there is no run '%s' in %s" % (pattern, directory))
-    names = [name for name in places if not patterns or
-             any(fnmatch.fnmatchcase(name, pattern) for pattern in patterns)]
-    if not names:
+    if not places:
         raise StudyError("'%s' holds no run (no directory with a statistics.csv)"
                          % directory)
-    return [StudyRun(name, places[name]) for name in names]
+    return [StudyRun(name, places[name]) for name in matching(places, patterns)]

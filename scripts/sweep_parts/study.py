@@ -4,12 +4,12 @@ of scripts/sweep.py begin with.
 
     study = Study("strips.sweep")            the cases of the file, with their ids
     study.cases["h_6"].state()               ("complete", "")
-    study.case("extra", settings, swept)     one that is not in the file
 """
-import fnmatch
 import hashlib
+import itertools
 import json
 import os
+import pathlib
 import sys
 from concurrent.futures import ThreadPoolExecutor
 
@@ -19,7 +19,7 @@ from . import id_cache, lock
 from .cases import Case
 from .errors import SweepError
 from .program import Program
-from .sweep_file import Sweep, merged, options_of, require_allowed, split_settings
+from .sweep_file import Sweep, matching, options_of, require_allowed, split_settings
 
 AT_ONCE = 4  # questions to the program
 OWNER = "sweep.json"
@@ -34,10 +34,8 @@ class Study:
         self.sweep = Sweep(path)
         require_allowed(extra)
         self.extra = list(extra)
-        if output is None:
-            output = os.path.join("results", os.path.splitext(
-                os.path.basename(path))[0])
-        self.output = os.path.abspath(output)
+        self.output = os.path.abspath(
+            os.path.join("results", pathlib.Path(path).stem) if output is None else output)
         self.program = program if isinstance(program, Program) else Program(program)
         # what goes on from a checkpoint keeps its id
         own, others = split_settings(extra)
@@ -58,25 +56,22 @@ class Study:
         own = {name: [entry for entry, _ in self.sweep.runs[name].settings]
                + self.telling for name in self.sweep.runs}
         with ThreadPoolExecutor(AT_ONCE) as pool:
-            ids = dict(zip(names, pool.map(
-                lambda name: self.asked(name, settings[name]), names)))
+            ids = list(pool.map(lambda name: self.asked(name, settings[name]), names))
             telling = list(dict.fromkeys(entry for name in names for entry in own[name]))
-            self.left_out = {entry for entry, left_out in zip(telling, pool.map(
-                lambda entry: self.is_left_out(entry, settings, own), telling))
-                if left_out}
-            suffixes = dict(zip(names, pool.map(
-                lambda name: self.suffix(name, settings[name], own[name]), names)))
-        return {name: Case(name, ids[name] + suffixes[name], self.sweep.base,
-                           settings[name], self.sweep.runs[name].swept, self.output)
-                for name in names}
+            self.left_out = set(itertools.compress(telling, pool.map(
+                lambda entry: self.is_left_out(entry, settings, own), telling)))
+            suffixes = list(pool.map(
+                lambda name: self.suffix(name, settings[name], own[name]), names))
+        return {name: Case(name, found + suffix, self.sweep.base, settings[name],
+                           self.sweep.runs[name].swept, self.output)
+                for name, found, suffix in zip(names, ids, suffixes)}
 
     def asked(self, name, settings, full=False):
         """The id that the program has for settings; full: all but output counts."""
         words = options_of(sorted(settings))
-        ask = self.program.full_id if full else self.program.case_id
         try:
-            return self.ids.asked(words + ["full"] * full,
-                                  lambda: ask(self.sweep.base, words))
+            return self.ids.asked(words + ["full"] * full, lambda: self.program.case_id(
+                self.sweep.base, words, full))
         except SweepError as error:
             raise SweepError("%s: %s" % (name, error))
 
@@ -105,47 +100,29 @@ class Study:
         counted = ["%s=%s" % (entry, canonical(value)) for entry, value
                    in sorted(settings) if entry in own and entry in self.left_out
                    and self.matters(name, settings, entry)]
-        if not counted:
-            return ""
-        return "-" + hashlib.sha256("\n".join(counted).encode()).hexdigest()[:8]
+        digest = hashlib.sha256("\n".join(counted).encode()).hexdigest()
+        return "-" + digest[:8] if counted else ""
 
     def matters(self, name, settings, entry):
         """Whether an entry changes anything."""
         without = [pair for pair in settings if pair[0] != entry]
         return self.asked(name, settings, True) != self.asked(name, without, True)
 
-    def case(self, name, settings, swept=None):
-        """One more case, that is not in the file: base and common with these
-        settings, [(entry, value)]. Entries of its own that do not count in the id of
-        the program tell it apart."""
-        full = merged(self.sweep.common + list(settings)
-                      + split_settings(self.extra)[0])
-        own = [entry for entry, _ in settings] + self.telling
-        found = self.asked(name, full)
-        self.left_out |= {entry for entry in own if self.is_left_out(
-            entry, {name: full}, {name: own})}
-        suffix = self.suffix(name, full, own)
-        self.ids.write()
-        return Case(name, found + suffix, self.sweep.base, full,
-                    dict(settings) if swept is None else swept, self.output)
-
     def chosen(self, patterns=None):
         """[Case] whose names match one of the patterns; all of them for None."""
         for pattern in patterns or ():
-            if not fnmatch.filter(self.cases, pattern):
+            if not matching(self.cases, [pattern]):
                 raise SweepError("--only: there is no run '%s' in %s; there are %s"
                                  % (pattern, self.sweep.path, ", ".join(self.cases)))
-        return [case for name, case in self.cases.items() if patterns is None or
-                any(fnmatch.fnmatchcase(name, pattern) for pattern in patterns)]
+        return [self.cases[name] for name in matching(self.cases, patterns)]
 
     # the directory
 
     def owner(self):
         """Path of the sweep file whose directory it is, or None."""
-        text = safe.read_text(os.path.join(self.output, OWNER))
         try:
-            path = json.loads(text or "")["file"]
-        except (ValueError, KeyError, TypeError):
+            path = safe.read_json(os.path.join(self.output, OWNER))["file"]
+        except (KeyError, TypeError):
             return None
         return path if isinstance(path, str) and os.path.exists(path) else None
 
@@ -170,7 +147,9 @@ class Study:
         held = lock.Lock(self.output, wait=wait)
         try:
             self.require_owner()  # somebody may have been faster
-            self.note_owner()
+            if not self.owner():
+                safe.write_whole(os.path.join(self.output, OWNER), json.dumps(
+                    {"file": os.path.abspath(self.sweep.path)}) + "\n")
         except BaseException:
             held.release()
             raise
@@ -178,12 +157,11 @@ class Study:
             print("sweep.py: warning: %s" % held.warning, file=sys.stderr)
         return held
 
-    def note_owner(self):
-        path = os.path.join(self.output, OWNER)
-        if self.owner():
-            return
-        safe.write_whole(
-            path, json.dumps({"file": os.path.abspath(self.sweep.path)}) + "\n")
+
+def opened(arguments, names=None):
+    """The Study that options of a command name."""
+    return Study(arguments.file, arguments.output, arguments.program, arguments.extra,
+                 names)
 
 
 def canonical(value):

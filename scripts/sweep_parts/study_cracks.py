@@ -2,12 +2,10 @@
 """Contact sheet: the phase field at the end of every run of a sweep."""
 import io
 import os
+import pathlib
 import textwrap
 
 import matplotlib
-import numpy as np
-from matplotlib.cm import ScalarMappable
-from matplotlib.colors import Normalize
 from matplotlib.figure import Figure
 
 from report_parts import crack_path, curves, pictures, vtu
@@ -34,10 +32,8 @@ def fields_at_end(run):
 
 
 def caption_lines(run, width):
-    lines = []
-    if run.peak is not None:
-        lines.append("%.4g N at %.3g mm" % (run.peak[1], run.peak[0]))
-    return lines + textwrap.wrap(run.outcome, width)[:2]
+    peak = [] if run.peak is None else ["%.4g N at %.3g mm" % run.peak[::-1]]
+    return peak + textwrap.wrap(run.outcome, width)[:2]
 
 
 def draw_body(axes, run):
@@ -46,16 +42,10 @@ def draw_body(axes, run):
         axes.text(0.5, 0.5, textwrap.fill(reason, 22), ha="center", va="center",
                   color=curves.GREY, transform=axes.transAxes, fontsize=8)
         return
-    pictures.paint(axes, fields, fields.points, fields.faces,
-                   np.clip(fields.data["phase_field"], 0., 1.))
-    if pictures.is_flat(fields):
-        pictures.lines(axes, fields.points,
-                       pictures.outline_of(fields.points, fields.faces), 0.7)
+    pictures.draw_body(axes, fields, fields.points, fields.faces, 0.7)
     for crack in crack_path.cracks_at_end(run.results.directory, []) or ():
         axes.plot(*zip(*crack.points), "-", color=PATH_COLOR, lw=0.8)
-    low, high = pictures.window_of(fields.points)
-    axes.set_xlim(low[0], high[0])
-    axes.set_ylim(low[1], high[1])
+    pictures.show(axes, pictures.window_of(fields.points))
 
 
 def shape_of(runs):
@@ -75,8 +65,7 @@ def draw(runs, n_columns, title):
     cell = max(width, PANEL) + 0.12, height + 4 * LINE + 0.2
     head, foot = (0.35 if title else 0.08), 0.42
     size = n_columns * cell[0] + 0.1, n_rows * cell[1] + head + foot
-    figure = Figure(figsize=size, dpi=DPI)
-    figure.set_facecolor("white")
+    figure = Figure(figsize=size, dpi=DPI, facecolor="white")
     if title:
         figure.text(0.1 / size[0], 1. - 0.22 / size[1], title, fontsize=11.5,
                     color=curves.INK)
@@ -95,8 +84,7 @@ def draw(runs, n_columns, title):
                         color=curves.INK if k == 0 else curves.GREY)
     bar = figure.add_axes([0.62 / size[0], 0.17 / size[1],
                            min(2.2, size[0] / 3.) / size[0], 0.1 / size[1]])
-    figure.colorbar(ScalarMappable(Normalize(0., 1.), pictures.COLORS), cax=bar,
-                    orientation="horizontal", ticks=[]).outline.set_visible(False)
+    pictures.color_bar(figure, bar, pictures.COLORS, (0., 1.), [])
     bar.text(-0.03, 0.5, "broken", transform=bar.transAxes, ha="right", va="center",
              fontsize=8, color=curves.GREY)
     bar.text(1.03, 0.5, "intact; phase field on the undeformed body",
@@ -118,14 +106,9 @@ def small_png(data):
 
 
 def png_of(runs, n_columns, title):
-    stream = io.BytesIO()
     with matplotlib.rc_context({"font.family": "DejaVu Sans"}):
-        draw(runs, n_columns, title).savefig(stream, format="png", dpi=DPI,
-                                             metadata={"Software": None})
-    return small_png(stream.getvalue())
+        return small_png(pictures.png_of(draw(runs, n_columns, title), DPI))
 
 
 def write(runs, path, n_columns, title):
-    data = png_of(runs, n_columns, title)
-    with open(path, "wb") as file:
-        file.write(data)
+    pathlib.Path(path).write_bytes(png_of(runs, n_columns, title))

@@ -7,8 +7,8 @@ import numpy as np
 from matplotlib.colors import to_rgb
 from matplotlib.figure import Figure
 
-from report_parts import curves
-from study_parts import references
+from report_parts import curves, safe
+from study_parts import drawing, references
 from study_parts.errors import StudyError
 
 # Told apart by hue and, where that fails, by lightness.
@@ -26,18 +26,16 @@ def shade(color, share):
 def styles_of(runs):
     """{name: (color, dashes)}: a hue per group, within it from light to full,
     in the order of the sweep. A hue per run where grouping tells nothing."""
-    groups = {}
-    for run in runs:
-        groups.setdefault(run.group, []).append(run.name)
+    groups = safe.grouped(runs, lambda run: run.group)
     if len(groups) in (1, len(runs)):
-        groups = {run.name: [run.name] for run in runs}
+        groups = {run.name: [run] for run in runs}
     styles = {}
-    for i, names in enumerate(groups.values()):
-        for k, name in enumerate(names):
-            share = (k + 1.) / len(names)
+    for i, own in enumerate(groups.values()):
+        for k, run in enumerate(own):
+            share = (k + 1.) / len(own)
             # from the ninth group on hues repeat: another dash tells
-            dash = DASHES[(i // len(HUES) + len(names) - 1 - k) % len(DASHES)]
-            styles[name] = shade(HUES[i % len(HUES)], share), dash
+            dash = DASHES[(i // len(HUES) + len(own) - 1 - k) % len(DASHES)]
+            styles[run.name] = shade(HUES[i % len(HUES)], share), dash
     return styles
 
 
@@ -50,8 +48,10 @@ class ReferenceCurve:
         self.y = np.array([point.force for point in points])
         self.bars = None  # below and above of x, and of y
         if points[0].scatter is not None:
-            self.bars = [bars_of([point.scatter and point.scatter[k] or (mean, mean)
-                                  for point, mean in zip(points, means)], means)
+            # lengths below and above the means, (2, n)
+            self.bars = [np.abs(np.array([
+                point.scatter and point.scatter[k] or (mean, mean)
+                for point, mean in zip(points, means)]).T - means)
                          for k, means in enumerate((self.x, self.y))]
 
     def scale_forces(self, factor):
@@ -72,23 +72,17 @@ class ReferenceCurve:
                       label=self.label)
 
 
-def bars_of(bands, means):
-    """Lengths below and above the means, (2, n)."""
-    return np.abs(np.array(bands).T - means)
-
-
 def reference_curves(paths, runs, per_thickness):
     """[ReferenceCurve], with forces as the curves of the runs have them."""
     found = []
     for path in paths:
-        groups = {}
-        for point in references.read_points(path, False):
-            groups.setdefault(point.name, []).append(point)
+        groups = safe.grouped(references.read_points(path), lambda point: point.name)
         stem = os.path.splitext(os.path.basename(path))[0]
         for name, points in groups.items():
             curve = ReferenceCurve((stem + " " + name).strip(), name, points)
             if (points[0].unit == "force_N_per_mm") != per_thickness:
-                t = thickness_for(name, runs)
+                # of the runs that it belongs to, or of the first one
+                t = (runs_for(name, runs) or runs)[0].thickness
                 if t is None:
                     raise StudyError(
                         "%s: no run tells its thickness, which its forces need" % path)
@@ -99,11 +93,6 @@ def reference_curves(paths, runs, per_thickness):
 
 def runs_for(name, runs):
     return [run for run in runs if references.name_for(run.name, (name,))]
-
-
-def thickness_for(name, runs):
-    """Of the runs that a reference belongs to, or of the first one."""
-    return (runs_for(name, runs) or runs)[0].thickness
 
 
 def color_for(name, runs, styles):
@@ -125,8 +114,7 @@ def draw(runs, title, per_thickness, references):
     styles = styles_of(drawn)
     n_entries = len(drawn) + len(references)
     with matplotlib.rc_context(curves.STYLE):
-        figure = Figure(figsize=(9.6, max(5., 0.21 * n_entries + 1.)))
-        figure.set_facecolor("white")
+        figure = Figure(figsize=(9.6, max(5., 0.21 * n_entries + 1.)), facecolor="white")
         axes = figure.add_subplot()
         for run in drawn:
             color, dash = styles[run.name]
@@ -137,11 +125,7 @@ def draw(runs, title, per_thickness, references):
         for reference in references:
             reference.draw(axes, color_for(reference.name, drawn, styles))
         axes.axhline(0., color=curves.GREY, lw=0.7)
-        axes.set_xlim(left=min(0., axes.dataLim.x0))
-        axes.set_ylim(bottom=min(0., axes.dataLim.y0))
-        axes.set_xlabel("Displacement (mm)")
-        axes.set_ylabel("Force per thickness (N/mm)" if per_thickness
-                        else "Force (N)")
+        drawing.label(axes, per_thickness)
         if title:
             axes.set_title(title, loc="left", fontsize=11.5)
         axes.legend(loc="upper left", bbox_to_anchor=(1.01, 1.), fontsize=8.8,
@@ -149,13 +133,5 @@ def draw(runs, title, per_thickness, references):
         return figure
 
 
-def save(figure, path, salt):
-    """As SVG or PNG; equal figures make equal files."""
-    options = {"metadata": {"Date": None}} if path.endswith(".svg") else {"dpi": 130}
-    settings = {"svg.hashsalt": salt, "svg.fonttype": "none"}
-    with matplotlib.rc_context(dict(curves.STYLE, **settings)):
-        figure.savefig(path, bbox_inches="tight", facecolor="white", **options)
-
-
 def write(runs, path, title, per_thickness, references):
-    save(draw(runs, title, per_thickness, references), path, "curves")
+    drawing.save(draw(runs, title, per_thickness, references), path, "curves", 130)

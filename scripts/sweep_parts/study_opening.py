@@ -7,9 +7,10 @@ import numpy as np
 from matplotlib.figure import Figure
 
 from report_parts import curves, safe
+from study_parts import drawing
 
 from . import studies
-from .study_curves import HUES, save
+from .study_curves import HUES
 
 NEEDED = ("step", "line", "x_mm", "y_mm", "opening_mm")
 FUNCTIONS = {name: getattr(np, name) for name in
@@ -24,13 +25,10 @@ def read_lines(directory):
     if any(name not in names for name in NEEDED):
         raise studies.StudyError("%s cannot be read: it has no header with the "
                                  "columns %s" % (path, ", ".join(NEEDED)))
-    rows = [row for row in ({name: safe.finite(value)
-                             for name, value in zip(names, line)} for line in lines)
-            if None not in row.values()]
-    lines = {}
-    for row in rows:
-        if row["step"] == rows[-1]["step"]:
-            lines.setdefault(int(row["line"]), []).append(row)
+    rows = [dict(zip(names, map(safe.finite, line))) for line in lines]
+    rows = [row for row in rows if None not in row.values()]
+    lines = safe.grouped((row for row in rows if row["step"] == rows[-1]["step"]),
+                         lambda row: int(row["line"]))
     found = {}
     for number, line in lines.items():
         points = np.array([[row[name] for name in ("x_mm", "y_mm", "z_mm")
@@ -56,25 +54,22 @@ def exact_values(expression, x):
 
 def draw(lines, exact):
     with matplotlib.rc_context(curves.STYLE):
-        figure = Figure(figsize=(6.4, 3.6))
-        figure.set_facecolor("white")
+        figure = Figure(figsize=(6.4, 3.6), facecolor="white")
         axes = figure.add_subplot()
         for i, (number, (x, opening)) in enumerate(sorted(lines.items())):
             axes.plot(x, opening, "o", ms=4, color=HUES[i % len(HUES)],
                       label="computed" if len(lines) == 1
                       else "computed, line %d" % number)
         if exact:
-            low = min(x.min() for x, _ in lines.values())
-            high = max(x.max() for x, _ in lines.values())
-            x = np.linspace(low, high, 2001)
+            every = np.concatenate([x for x, _ in lines.values()])
+            x = np.linspace(every.min(), every.max(), 2001)
             axes.plot(x, exact_values(exact, x), "-", lw=1.4, color=curves.INK,
                       label="exact")
         axes.axhline(0., color=curves.GREY, lw=0.7)
-        axes.set_xlabel("Position (mm)")
-        axes.set_ylabel("Opening (mm)")
+        axes.set(xlabel="Position (mm)", ylabel="Opening (mm)")
         axes.legend()
         return figure
 
 
 def write(directory, path, exact):
-    save(draw(read_lines(directory), exact), path, "opening")
+    drawing.save(draw(read_lines(directory), exact), path, "opening", 130)

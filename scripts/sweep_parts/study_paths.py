@@ -9,14 +9,12 @@ from . import studies
 
 
 def polylines(directory):
-    remarks = []
-    cracks = crack_path.cracks_at_end(directory, remarks)
-    if cracks is None:
-        raise studies.StudyError("%s: there is no crack_path.csv" % directory)
-    lines = [np.array(crack.points) for crack in cracks if len(crack.points) > 1]
+    lines = crack_path.lines_at_end(directory)
     if not lines:
-        raise studies.StudyError("%s: crack_path.csv holds no crack" % directory)
-    return lines
+        raise studies.StudyError("%s: %s" % (
+            directory, "there is no crack_path.csv" if lines is None else
+            "crack_path.csv holds no crack"))
+    return [np.array(line) for line in lines]
 
 
 def written(first, second):

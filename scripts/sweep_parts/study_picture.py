@@ -1,12 +1,11 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 """A picture of one field of one run, on the deformed body where asked for."""
 import os
+import pathlib
 
 import matplotlib
-import matplotlib.ticker
 import numpy as np
-from matplotlib.cm import ScalarMappable
-from matplotlib.colors import Normalize
+from matplotlib.ticker import MaxNLocator
 
 from report_parts import curves, pictures, vtu
 
@@ -14,8 +13,7 @@ from . import studies
 from .study_cracks import small_png
 
 AXES = "xyz"
-OTHER_COLORS = matplotlib.colormaps["viridis"] \
-    if hasattr(matplotlib, "colormaps") else matplotlib.cm.get_cmap("viridis")
+OTHER_COLORS = "viridis"
 UNITS = {"displacement": "mm", "pressure": "MPa", "stress": "MPa",
          "strain_energy_density": "MPa"}
 BAR = 0.42  # inches, below the picture
@@ -26,9 +24,8 @@ def moment_of(directory, time):
     collection = vtu.read_collection(directory)
     if not collection:
         raise studies.StudyError("'%s' holds no fields as VTU" % directory)
-    if time is None:
-        return collection[-1]
-    return min(collection, key=lambda entry: abs(entry[0] - time))
+    return collection[-1] if time is None else min(
+        collection, key=lambda entry: abs(entry[0] - time))
 
 
 def values_of(fields, name, path):
@@ -43,10 +40,6 @@ def values_of(fields, name, path):
     raise studies.StudyError(
         "--field: '%s' is not in %s; there are displacement, displacement_x, ..., "
         "and those of doc/output.md" % (name, os.path.basename(path)))
-
-
-def unit_of(name):
-    return next((unit for start, unit in UNITS.items() if name.startswith(start)), "")
 
 
 def points_and_faces(fields, deformed):
@@ -80,7 +73,7 @@ def told_apart(fields):
 
 def label_of(name, limits):
     """(limits, words for the colour bar); small lengths in micrometres."""
-    unit = unit_of(name)
+    unit = next((unit for start, unit in UNITS.items() if name.startswith(start)), "")
     if unit == "mm" and max(map(abs, limits)) < 0.02:
         limits, unit = tuple(1000. * limit for limit in limits), "µm"
     return limits, name.replace("_", " ") + (" (%s)" % unit if unit else "")
@@ -94,11 +87,7 @@ def add_bar(figure, limits, label):
     body.set_position([0., BAR / (height + BAR), 1., height / (height + BAR)])
     bar = figure.add_axes([0.05, 0.6 * BAR / (height + BAR), 0.45,
                            0.2 * BAR / (height + BAR)])
-    drawn = figure.colorbar(ScalarMappable(Normalize(*limits), OTHER_COLORS),
-                            cax=bar, orientation="horizontal")
-    drawn.outline.set_visible(False)
-    drawn.locator = matplotlib.ticker.MaxNLocator(3)
-    drawn.update_ticks()
+    pictures.color_bar(figure, bar, OTHER_COLORS, limits, MaxNLocator(3))
     bar.tick_params(labelsize=6.5, length=2, color=curves.GREY)
     figure.text(0.53, 0.6 * BAR / (height + BAR), label, fontsize=7,
                 color=curves.INK)
@@ -126,9 +115,7 @@ def draw(fields, path, options):
             pairs, _ = pictures.edges_of(points, faces)
             pictures.lines(axes, points, pairs, 0.3, "#ffffff88")
         if options.deformed is not None:
-            pictures.lines(axes, fields.points,
-                           pictures.outline_of(fields.points, fields.faces), 0.6,
-                           curves.GREY)
+            pictures.draw_outline(axes, fields, 0.6, curves.GREY)
         pictures.lines(axes, points,
                        pictures.outline_of(told_apart(fields), faces), 0.8)
     if not is_phase_field:
@@ -147,5 +134,4 @@ def write(directory, path, options):
         raise studies.StudyError(str(error))
     with matplotlib.rc_context({"font.family": "DejaVu Sans"}):
         data = pictures.png_of(draw(fields, source, options))
-    with open(path, "wb") as file:
-        file.write(small_png(data))
+    pathlib.Path(path).write_bytes(small_png(data))

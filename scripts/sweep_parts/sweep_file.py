@@ -27,13 +27,14 @@ the name of a run. Quoting is that of a shell. Of several settings of one entry 
 last holds: common, then the run's own, then those of the command line.
 """
 import collections
-import hashlib
+import fnmatch
 import os
 import re
 import shlex
 
 from . import grids
 from .errors import SweepError
+from .grids import entry_of
 
 NAME = re.compile(r"[A-Za-z0-9][A-Za-z0-9_.+-]*$")
 # what has a name of its own in the directory of a sweep
@@ -156,13 +157,11 @@ class Sweep:
         own, _ = split_settings(extra)
         return merged(self.common + self.runs[name].settings + own)
 
-    def options(self, name, extra=()):
-        """The same as words of a command."""
-        return options_of(self.settings(name, extra))
 
-    def base_checksum(self):
-        with open(self.base, "rb") as stream:
-            return hashlib.sha256(stream.read()).hexdigest()
+def matching(names, patterns):
+    """Those that match one of the patterns; all of them without patterns."""
+    return [name for name in names if not patterns
+            or any(fnmatch.fnmatchcase(name, pattern) for pattern in patterns)]
 
 
 def text_of(path):
@@ -189,11 +188,6 @@ def merged(settings):
 def options_of(settings):
     return [word for entry, value in settings
             for word in ("--set", "%s=%s" % (entry, value))]
-
-
-def entry_of(text):
-    """An entry without needless blanks."""
-    return "/".join(" ".join(part.split()) for part in text.split("/"))
 
 
 def setting_of(text):

@@ -61,10 +61,8 @@ def proportional_steps(rows):
         return None
     stiffness = [abs(row.get(force, 0.)) / abs(row["displacement_mm"])
                  for row in rows]
-    for count, value in enumerate(stiffness):
-        if not value >= (1. - SOFTENING) * stiffness[0]:
-            return count
-    return len(rows)
+    return next((count for count, value in enumerate(stiffness)
+                 if not value >= (1. - SOFTENING) * stiffness[0]), len(rows))
 
 
 def results_of(directory):
@@ -74,38 +72,33 @@ def results_of(directory):
 
     def total(column):
         values = [row[column] for row in rows if column in row]
-        return summary.get(column, sum(values) if values else None)
+        return sum(values) if values else None
 
-    results = {column: summary.get(column) for column in RESULTS}
+    # without a summary
+    known = {"steps": last.get("step"), "wall_time_s": last.get("wall_time_s"),
+             "end_displacement_mm": last.get("displacement_mm")}
+    known.update((column, total(column)) for column in (
+        "rejected_steps", "coupling_iterations", "factorizations"))
+    results = {column: summary.get(column, known.get(column)) for column in RESULTS}
     results.update(start=summary.get("outcome_start"),
-                   steps=summary.get("steps", last.get("step")),
-                   rejected_steps=total("rejected_steps"),
-                   coupling_iterations=total("coupling_iterations"),
-                   factorizations=total("factorizations"),
                    refinements=last.get("refinements"),
                    dofs=last.get("dofs", summary.get("dofs")),
-                   end_displacement_mm=summary.get("end_displacement_mm",
-                                                   last.get("displacement_mm")),
-                   proportional_steps=proportional_steps(rows),
-                   wall_time_s=summary.get("wall_time_s", last.get("wall_time_s")))
+                   proportional_steps=proportional_steps(rows))
     return results
 
 
 def as_text(value):
-    if value is None or (isinstance(value, float) and not math.isfinite(value)):
-        return ""
     if isinstance(value, bool):
         return "true" if value else "false"
     if isinstance(value, float):
-        return "%.10g" % value
-    return str(value)
+        return "%.10g" % value if math.isfinite(value) else ""
+    return "" if value is None else str(value)
 
 
-def write_table(path, columns, rows):
-    """The table; the old one stays until the new one is whole."""
+def csv_text(columns, rows):
+    """A CSV file, as text: the names of the columns, and rows of values."""
     stream = io.StringIO()
     writer = csv.writer(stream, lineterminator="\n")
     writer.writerow(columns)
-    for row in rows:
-        writer.writerow([as_text(row.get(column)) for column in columns])
-    safe.write_whole(path, stream.getvalue())
+    writer.writerows(map(as_text, row) for row in rows)
+    return stream.getvalue()

@@ -23,7 +23,7 @@ if __name__ == "__main__":
 import matplotlib  # noqa: E402
 matplotlib.use("Agg")
 import synthetic_run  # noqa: E402
-from report_parts import page, pictures  # noqa: E402
+from report_parts import page, pictures, safe  # noqa: E402
 from sweep_parts import table  # noqa: E402
 from test_report import Balance, run_report  # noqa: E402
 
@@ -93,8 +93,8 @@ class Page(unittest.TestCase):
         with warnings.catch_warnings():
             warnings.simplefilter("error")
             text = page.written(directory)
-            table.write_table(os.path.join(directory, "sweep.csv"), table.RESULTS,
-                              [table.results_of(directory)])
+            safe.write_whole(os.path.join(directory, "sweep.csv"), table.csv_text(
+                table.RESULTS, [table.results_of(directory).values()]))
         text.encode("utf-8")
         balance = Balance()
         balance.feed(text)

@@ -123,17 +123,18 @@ class Pictures(unittest.TestCase):
 
     def test_all_are_drawn(self):
         window = solids.common_window([self.fields.points])
-        for picture in (solids.crack_picture(self.fields),
+        region = solids.region_of(self.fields)
+        for picture in (solids.crack_picture(self.fields, region),
                         solids.mesh_picture(self.fields),
                         solids.deformed_picture(self.fields, 5., window),
-                        solids.section_picture(self.fields, 0, 0.5)[0]):
+                        solids.section_picture(self.fields, 0, 0.5, region)[0]):
             self.assertEqual(picture[:4], b"\x89PNG")
 
     def test_intact_and_broken_bodies(self):
         for value in (0., 1.):
             self.fields.data["phase_field"][:] = value
             window = solids.common_window([self.fields.points])
-            solids.crack_picture(self.fields)
+            solids.crack_picture(self.fields, solids.region_of(self.fields))
             solids.deformed_picture(self.fields, 5., window)
             self.assertEqual(len(solids.section_planes(self.fields)), 3)
 

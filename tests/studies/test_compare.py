@@ -165,7 +165,7 @@ class Compare(common.Case):
                  "is above the largest"),
                 ("displacement_mm,force_N,force_sd\n1,1,-1\n", "not below 0"),
                 ("displacement_mm,force_N,force_sd,force_min\n1,1,1,1\n", "given twice"),
-                ("displacement_mm,force_N\n1,1,1\n", "expected 2 values"),
+                ("displacement_mm,force_N\n1,1,1\n", "expected 2 fields"),
                 ("name,displacement_mm,force_N\nother,1,1\n", "no run has a reference")):
             self.write("p.csv", text)
             errors = self.compare("p.csv", status=2)[1]

@@ -218,10 +218,10 @@ mine = soft --set M/x=3
                           recursive=True)
         self.assertGreaterEqual(len(found), 2)
         sys.path.insert(0, os.path.join(ROOT, "scripts"))
-        from sweep_parts.sweep_file import Sweep
+        from sweep_parts.sweep_file import Sweep, options_of
         for path in found:
             sweep = Sweep(path)
-            options = [tuple(sweep.options(name)) for name in sweep.runs]
+            options = [tuple(options_of(sweep.settings(name))) for name in sweep.runs]
             self.assertEqual(len(options), len(set(options)), path)
             self.assertGreaterEqual(len(options), 2)
             if os.path.join("epdm", "notch_heights.sweep") in path:

@@ -75,15 +75,22 @@ class Table:
                          % (self.path, self.header_line, what, listed(allowed),
                             listed(self.names)))
 
+    def records(self):
+        """[(line number, {name: text})]"""
+        return [(number, dict(zip(self.names, fields))) for number, fields in self.rows]
+
     def texts(self, name):
         i = self.names.index(name)
         return [(number, fields[i]) for number, fields in self.rows]
 
     def column(self, name, least=None, above=None):
         """The numbers of a column, at least `least` or more than `above`."""
-        return np.array([number_in(text, "%s:%d: column '%s'" % (self.path, line, name),
-                                   least, above)
+        return np.array([self.number(line, name, text, least, above)
                          for line, text in self.texts(name)])
+
+    def number(self, line, name, text, least=None, above=None):
+        return number_in(text, "%s:%d: column '%s'" % (self.path, line, name), least,
+                         above)
 
     def setting(self, name):
         """A positive number of a comment '# name: value', or None."""
@@ -99,13 +106,9 @@ def number_in(text, place, least=None, above=None):
         value = float(text)
     except ValueError:
         value = math.nan
-    allowed = "a number"
-    if abs(value) > LARGEST:
-        allowed += " of at most %g" % LARGEST
-    if least is not None:
-        allowed += " of at least %g" % least
-    if above is not None:
-        allowed += " above %g" % above
+    allowed = "a number" + (" of at most %g" % LARGEST if abs(value) > LARGEST else "") \
+        + ("" if least is None else " of at least %g" % least) \
+        + ("" if above is None else " above %g" % above)
     if not abs(value) <= LARGEST or (least is not None and value < least) \
             or (above is not None and value <= above):
         raise InputError("%s: expected %s, found '%s'%s" % (

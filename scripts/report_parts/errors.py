@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""What is wrong with the input."""
+"""What is wrong with the input of a script."""
 
 
 class InputError(Exception):
