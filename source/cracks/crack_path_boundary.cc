@@ -11,6 +11,7 @@
 //   tip         of a notch: a vertex which all notch edges leave to one side
 
 #include <base/plane.h>
+#include <base/ranges.h>
 
 #include <cracks/crack_path_boundary.h>
 
@@ -46,10 +47,9 @@ namespace MixedCracks
       std::vector<Point<2>> vertices;
       for (const unsigned int e : which)
         for (const Point<2> &point : {edges[e].begin, edges[e].end})
-          if (std::none_of(
-                vertices.begin(), vertices.end(), [&](const Point<2> &other) {
-                  return other.distance(point) < tolerance;
-                }))
+          if (!any_of(vertices, [&](const Point<2> &other) {
+                return other.distance(point) < tolerance;
+              }))
             vertices.push_back(point);
       return vertices;
     }
@@ -112,10 +112,9 @@ namespace MixedCracks
       Tensor<1, 2> mean;
       for (const auto &direction : away)
         mean += direction;
-      const bool is_tip =
-        std::all_of(away.begin(), away.end(), [&](const Tensor<1, 2> &a) {
-          return a * mean > 0.7 * mean.norm();
-        });
+      const bool is_tip = all_of(away, [&](const Tensor<1, 2> &a) {
+        return a * mean > 0.7 * mean.norm();
+      });
       if (is_tip)
         tips.push_back({vertex, -mean / mean.norm(), 0.});
     }

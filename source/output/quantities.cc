@@ -4,9 +4,10 @@
 // that a new one needs no new format. One that was not asked for in an earlier
 // piece of a run is NaN in its rows, an empty field of the table.
 
+#include <base/ranges.h>
+
 #include <output/quantities.h>
 
-#include <algorithm>
 #include <ostream>
 
 namespace MixedCracks
@@ -122,9 +123,7 @@ namespace MixedCracks
   Quantity::has_column(const int                       dim,
                        const std::vector<std::string> &asked) const
   {
-    return (has_2d || dim == 3) &&
-           (entry.empty() ||
-            std::find(asked.begin(), asked.end(), entry) != asked.end());
+    return (has_2d || dim == 3) && (entry.empty() || contains(asked, entry));
   }
 
 

@@ -6,6 +6,8 @@
 // parallel::distributed::Triangulation restores the mesh on any number of ranks
 // from the coarse mesh, which is made anew from the .prm.
 
+#include <base/ranges.h>
+
 #include <simulation/run_archive.h>
 
 namespace MixedCracks
@@ -72,9 +74,7 @@ namespace MixedCracks
     if (!damage.empty())
       result.push_back(damage);
     if (resumed)
-      result.insert(result.end(),
-                    resumed->changed_loads.begin(),
-                    resumed->changed_loads.end());
+      append(result, resumed->changed_loads);
     return result;
   }
 
