@@ -8,13 +8,6 @@
 
 namespace MixedCracks
 {
-  RestoredTable::RestoredTable(const std::string &name,
-                               const std::string &header,
-                               const MPI_Comm     communicator)
-    : name(name)
-    , header(header)
-    , communicator(communicator)
-  {}
 
 
 
@@ -24,7 +17,8 @@ namespace MixedCracks
     if (header.empty())
       return;
     std::string message;
-    if (dealii::Utilities::MPI::this_mpi_process(communicator) == 0)
+    if (dealii::Utilities::MPI::this_mpi_process(communicator) == 0 &&
+        !content.empty())
       message = append ? append_to_file(name, content)
                        : replace_small_file(name, content);
     throw_on_all_ranks(message, communicator);
