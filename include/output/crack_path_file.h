@@ -20,7 +20,12 @@ namespace MixedCracks
   public:
     /// @p tolerance, mm: paths that differ by less from those written last
     /// are not written; a tenth of l is sensible. Writes nothing yet.
-    CrackPathFile(const std::string &directory, double tolerance);
+    CrackPathFile(const std::string &directory, const double tolerance)
+      : directory(directory)
+      , csv_name(directory + "/crack_path.csv")
+      , pvd_name(directory + "/crack_path.pvd")
+      , tolerance(tolerance)
+    {}
 
     /// Begin anew: the header, and an empty list.
     std::string open();

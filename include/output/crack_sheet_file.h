@@ -24,7 +24,10 @@ namespace MixedCracks
   public:
     /// @p tolerance, mm: cracks whose fronts have moved by less since they were
     /// written last are not written; a tenth of l is sensible.
-    CrackSheetFile(const std::string &directory, double tolerance);
+    CrackSheetFile(const std::string &directory, const double tolerance)
+      : directory(directory)
+      , tolerance(tolerance)
+    {}
 
     /// Begin anew: the headers, and empty lists.
     std::string open();

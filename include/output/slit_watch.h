@@ -14,7 +14,9 @@ namespace MixedCracks
   class SlitWatch
   {
   public:
-    explicit SlitWatch(const Fields<dim> &fields);
+    explicit SlitWatch(const Fields<dim> &fields)
+      : overlap(fields)
+    {}
 
     /// When the coarse mesh is there.
     void reinit();

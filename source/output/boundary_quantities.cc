@@ -31,21 +31,10 @@
 
 #include <algorithm>
 #include <map>
-#include <utility>
 
 namespace MixedCracks
 {
   using namespace dealii;
-
-  template <int dim>
-  BoundaryQuantities<dim>::BoundaryQuantities(
-    const Fields<dim>      &fields,
-    const Constraints<dim> &constraints,
-    BoundaryIds             force_boundary)
-    : fields(fields)
-    , constraints(constraints)
-    , boundary(std::move(force_boundary))
-  {}
 
 
 

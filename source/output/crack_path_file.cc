@@ -76,16 +76,6 @@ namespace MixedCracks
 
 
 
-  CrackPathFile::CrackPathFile(const std::string &directory,
-                               const double       tolerance)
-    : directory(directory)
-    , csv_name(directory + "/crack_path.csv")
-    , pvd_name(directory + "/crack_path.pvd")
-    , tolerance(tolerance)
-  {}
-
-
-
   std::string
   CrackPathFile::write_table_and_list() const
   {

@@ -7,12 +7,6 @@
 
 namespace MixedCracks
 {
-  template <int dim>
-  CrackPathWriter<dim>::CrackPathWriter(const std::string &directory,
-                                        const MPI_Comm     communicator)
-    : directory(directory)
-    , communicator(communicator)
-  {}
 
 
 

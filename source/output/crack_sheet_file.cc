@@ -133,14 +133,6 @@ namespace MixedCracks
 
 
 
-  CrackSheetFile::CrackSheetFile(const std::string &directory,
-                                 const double       tolerance)
-    : directory(directory)
-    , tolerance(tolerance)
-  {}
-
-
-
   std::string
   CrackSheetFile::open()
   {

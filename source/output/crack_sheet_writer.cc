@@ -10,13 +10,6 @@ namespace MixedCracks
 {
   using namespace dealii;
 
-  template <int dim>
-  CrackSheetWriter<dim>::CrackSheetWriter(const std::string &directory,
-                                          const Fields<dim> &fields)
-    : directory(directory)
-    , fields(fields)
-  {}
-
 
 
   template <int dim>

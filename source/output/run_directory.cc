@@ -16,18 +16,6 @@ namespace MixedCracks
 
 
 
-  RunDirectory::RunDirectory(const OutputParameters &parameters,
-                             const std::string      &effective,
-                             const MPI_Comm          communicator,
-                             Log                    &log)
-    : directory(parameters.directory)
-    , effective_parameters(effective)
-    , communicator(communicator)
-    , log(log)
-  {}
-
-
-
   bool
   RunDirectory::inspect(const ExistingRun               existing,
                         const std::vector<std::string> &to_be_written)

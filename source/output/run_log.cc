@@ -5,10 +5,6 @@
 
 namespace MixedCracks
 {
-  RunLog::RunLog(Log &log, const RunLogOptions &options)
-    : log(log)
-    , options(options)
-  {}
 
 
 

@@ -111,13 +111,6 @@ namespace MixedCracks
 
 
   template <int dim>
-  SlitOverlap<dim>::SlitOverlap(const Fields<dim> &fields)
-    : fields(fields)
-  {}
-
-
-
-  template <int dim>
   void
   SlitOverlap<dim>::reinit()
   {

@@ -6,10 +6,6 @@
 
 namespace MixedCracks
 {
-  template <int dim>
-  SlitWatch<dim>::SlitWatch(const Fields<dim> &fields)
-    : overlap(fields)
-  {}
 
 
 

@@ -22,9 +22,6 @@
 
 namespace MixedCracks
 {
-  StatisticsTable::StatisticsTable(const MPI_Comm communicator)
-    : communicator(communicator)
-  {}
 
 
 

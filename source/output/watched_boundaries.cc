@@ -34,20 +34,6 @@ namespace MixedCracks
 {
   using namespace dealii;
 
-  template <int dim>
-  WatchedBoundaries<dim>::WatchedBoundaries(
-    const Fields<dim>                &fields,
-    const Constraints<dim>           &constraints,
-    std::vector<WatchedBoundary<dim>> boundaries,
-    const double                      thickness,
-    const bool                        finite_strain)
-    : fields(fields)
-    , constraints(constraints)
-    , boundaries(std::move(boundaries))
-    , thickness(thickness)
-    , finite_strain(finite_strain)
-  {}
-
 
 
   template <int dim>

@@ -152,15 +152,6 @@ namespace MixedCracks
 
 
   template <int dim>
-  XdmfOutput<dim>::XdmfOutput(const std::string &directory,
-                              const MPI_Comm     communicator)
-    : directory(directory)
-    , communicator(communicator)
-  {}
-
-
-
-  template <int dim>
   bool
   XdmfOutput<dim>::has_room(const DataOutBase::DataOutFilter &data,
                             const bool                        has_cells,

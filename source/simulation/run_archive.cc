@@ -12,25 +12,6 @@
 
 namespace MixedCracks
 {
-  template <int dim>
-  RunArchive<dim>::RunArchive(const CaseSignature &signature,
-                              Body<dim>           &body,
-                              CrackObserver<dim>  &crack_observer,
-                              LoadControl         &load_control,
-                              Recorder<dim>       &recorder,
-                              RunStop             &stop,
-                              PhaseTimer          &timer,
-                              Log                 &log)
-    : signature(signature)
-    , body(body)
-    , crack_observer(crack_observer)
-    , load_control(load_control)
-    , recorder(recorder)
-    , stop(stop)
-    , timer(timer)
-    , log(log)
-    , checkpoint(body.parameters.output.directory, body.communicator())
-  {}
 
 
 

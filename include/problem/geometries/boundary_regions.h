@@ -5,6 +5,8 @@
 #include <problem/geometry.h>
 #include <problem/named_conditions.h>
 
+#include <utility>
+
 namespace MixedCracks
 {
   /// A geometry some of whose boundary has further names, by the position of
@@ -15,7 +17,10 @@ namespace MixedCracks
   public:
     /// @p geometry must outlive the object.
     GeometryWithRegions(const Geometry<dim>             &geometry,
-                        std::vector<NamedCondition<dim>> regions);
+                        std::vector<NamedCondition<dim>> regions)
+      : geometry(&geometry)
+      , regions(std::move(regions))
+    {}
 
     /// Those of the geometry.
     void

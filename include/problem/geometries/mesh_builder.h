@@ -41,7 +41,9 @@ namespace MixedCracks
   {
   public:
     /// @p contents must outlive the object.
-    explicit MeshBuilder(const MeshContents &contents);
+    explicit MeshBuilder(const MeshContents &contents)
+      : contents(contents)
+    {}
 
     /// Make @p triangulation, which is empty. Throws a MeshProblem where
     /// that is impossible.

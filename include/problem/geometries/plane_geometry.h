@@ -4,6 +4,8 @@
 
 #include <problem/geometries/plane_figure.h>
 
+#include <utility>
+
 namespace MixedCracks
 {
   /// A figure in the plane; in 3-d this times [0, thickness], with the
@@ -12,7 +14,9 @@ namespace MixedCracks
   class PlaneGeometry : public Geometry<dim>
   {
   public:
-    explicit PlaneGeometry(std::unique_ptr<PlaneFigure> figure);
+    explicit PlaneGeometry(std::unique_ptr<PlaneFigure> figure)
+      : figure(std::move(figure))
+    {}
 
     /// @p other with a coarse mesh of cells that are @p factor times as long.
     PlaneGeometry(const PlaneGeometry &other, double factor);

@@ -22,7 +22,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <utility>
 
 namespace MixedCracks
 {
@@ -51,16 +50,6 @@ namespace MixedCracks
                           s * t * face->vertex(3));
     }
   } // namespace
-
-
-
-  template <int dim>
-  GeometryWithRegions<dim>::GeometryWithRegions(
-    const Geometry<dim>             &geometry,
-    std::vector<NamedCondition<dim>> regions)
-    : geometry(&geometry)
-    , regions(std::move(regions))
-  {}
 
 
 

@@ -46,13 +46,6 @@ namespace MixedCracks
 
 
   template <int dim>
-  MeshBuilder<dim>::MeshBuilder(const MeshContents &contents)
-    : contents(contents)
-  {}
-
-
-
-  template <int dim>
   std::string
   MeshBuilder<dim>::node_list(const Face &face) const
   {

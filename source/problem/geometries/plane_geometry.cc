@@ -13,14 +13,9 @@
 #include <problem/geometries/plane_geometry.h>
 #include <problem/geometries/round_hole.h>
 
-#include <utility>
 
 namespace MixedCracks
 {
-  template <int dim>
-  PlaneGeometry<dim>::PlaneGeometry(std::unique_ptr<PlaneFigure> figure)
-    : figure(std::move(figure))
-  {}
 
 
 

@@ -32,13 +32,6 @@ namespace MixedCracks
 
 
 
-  SlitSquare::SlitSquare(const unsigned int dim)
-    : dim(dim)
-    , cell_size(dim == 2 ? 0.05 : 0.25)
-  {}
-
-
-
   std::string
   SlitSquare::subsection() const
   {
