@@ -144,14 +144,6 @@ namespace MixedCracks
 
 
 
-  bool
-  CrackEvents::watches(const std::string &kind) const
-  {
-    return contains(kinds, kind);
-  }
-
-
-
   double
   CrackEvents::multiples(const double growth_so_far) const
   {
@@ -193,7 +185,7 @@ namespace MixedCracks
     const auto add = [&](const std::string             &kind,
                          const std::string             &boundary,
                          const std::optional<Point<3>> &place) {
-      if (!is_first && !watches(kind))
+      if (!is_first && !contains(kinds, kind))
         return;
       now.kind     = is_first ? "start" : kind;
       now.boundary = boundary;

@@ -18,7 +18,6 @@
 #include <cracks/crack_path_parts.h>
 
 #include <algorithm>
-#include <cmath>
 
 namespace MixedCracks
 {

@@ -49,11 +49,7 @@ namespace MixedCracks
       data_out.add_data_vector(fields.elastic, solution, names, kinds);
     }
 
-    bool
-    is_vtu(const std::string &name)
-    {
-      return name.find(".pvtu") != std::string::npos;
-    }
+
 
     // "fields/fields_00012.pvtu": the step is in the name, with five digits or
     // more
@@ -231,7 +227,7 @@ namespace MixedCracks
       // the peak is written when the force has fallen: keep the list in order
       std::vector<std::pair<double, std::string>> sorted;
       for (const auto &record : times_and_names)
-        if (is_vtu(record.second))
+        if (record.second.find(".pvtu") != std::string::npos)
           sorted.push_back(record);
       std::sort(sorted.begin(), sorted.end());
       std::ostringstream text;

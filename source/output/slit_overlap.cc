@@ -24,7 +24,6 @@
 #include <output/slit_overlap.h>
 
 #include <algorithm>
-#include <cmath>
 
 namespace MixedCracks
 {

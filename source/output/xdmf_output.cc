@@ -25,7 +25,6 @@
 #include <output/run_files.h>
 #include <output/xdmf_output.h>
 
-#include <algorithm>
 #include <cstdlib>
 #include <cstring>
 #include <filesystem>
@@ -51,11 +50,7 @@ namespace MixedCracks
              "/fields'; is the disk full?";
     }
 
-    std::string
-    numbered(const std::string &name, const unsigned int step)
-    {
-      return "fields/" + name + format("_%05u.h5", step);
-    }
+
 
     std::string
     data_item(const std::string      &reference,
@@ -261,7 +256,7 @@ namespace MixedCracks
                                       /*xdmf_hdf5_output=*/true));
     if (has_cells)
       data_out.write_filtered_data(data);
-    const std::string solution_file = numbered("fields", step);
+    const std::string solution_file = format("fields/fields_%05u.h5", step);
     write_hdf5(data_out, data, has_cells, solution_file);
 
     const unsigned long int n_nodes = Utilities::MPI::sum<unsigned long int>(

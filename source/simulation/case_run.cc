@@ -7,7 +7,6 @@
 
 #include <input/case_signature.h>
 #include <input/dimension.h>
-#include <input/parameter_file.h>
 #include <input/parameter_manual.h>
 
 #include <output/directory.h>

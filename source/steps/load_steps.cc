@@ -20,7 +20,6 @@
 
 #include <steps/load_steps.h>
 
-#include <algorithm>
 #include <limits>
 
 namespace MixedCracks

@@ -22,7 +22,6 @@
 #include <deal.II/grid/grid_tools.h>
 
 #include <algorithm>
-#include <cmath>
 
 namespace MixedCracks
 {

@@ -21,7 +21,6 @@
 #include <deal.II/grid/manifold_lib.h>
 
 #include <problem/geometries/checks.h>
-#include <problem/geometries/mesh_builder.h>
 #include <problem/geometries/mesh_file.h>
 #include <problem/geometries/mesh_reader.h>
 #include <problem/geometries/mesh_scan.h>
