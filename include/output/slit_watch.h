@@ -19,7 +19,11 @@ namespace MixedCracks
     {}
 
     /// When the coarse mesh is there.
-    void reinit();
+    void
+    reinit()
+    {
+      overlap.reinit();
+    }
 
     /// Look at an accepted state: "" or a line for the log. Collective.
     std::string watch(const State &state);

@@ -61,7 +61,11 @@ namespace MixedCracks
     }
 
     /// The mesh, of the earlier piece.
-    void restore_body();
+    void
+    restore_body()
+    {
+      body.restore(checkpoint, resumed->cell_size);
+    }
 
     /// The last state of the earlier piece, when everything lives on its mesh;
     /// load control goes on from there. No file of the run is touched.

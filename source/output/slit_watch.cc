@@ -6,18 +6,6 @@
 
 namespace MixedCracks
 {
-
-
-
-  template <int dim>
-  void
-  SlitWatch<dim>::reinit()
-  {
-    overlap.reinit();
-  }
-
-
-
   template <int dim>
   std::string
   SlitWatch<dim>::watch(const State &state)

@@ -190,15 +190,6 @@ namespace MixedCracks
 
 
   template <int dim>
-  bool
-  MaterialField<dim>::varies() const
-  {
-    return !by_id.empty() || elsewhere.varies();
-  }
-
-
-
-  template <int dim>
   const MaterialConstants &
   MaterialField<dim>::constants_of(const dealii::types::material_id id) const
   {

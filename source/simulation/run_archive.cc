@@ -12,9 +12,6 @@
 
 namespace MixedCracks
 {
-
-
-
   template <int dim>
   void
   RunArchive<dim>::read()
@@ -57,15 +54,6 @@ namespace MixedCracks
     if (resumed)
       append(result, resumed->changed_loads);
     return result;
-  }
-
-
-
-  template <int dim>
-  void
-  RunArchive<dim>::restore_body()
-  {
-    body.restore(checkpoint, resumed->cell_size);
   }
 
 

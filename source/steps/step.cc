@@ -67,27 +67,6 @@ namespace MixedCracks
 
 
 
-  template <int dim>
-  StepSolver<dim>::StepSolver(ElasticStep<dim>      &elastic,
-                              PhaseFieldStep<dim>   &phase_field,
-                              const CouplingOptions &options,
-                              const NewtonOptions   &newton_options,
-                              Callbacks              callbacks,
-                              const MPI_Comm         communicator,
-                              Log                   &log)
-    : elastic(elastic)
-    , phase_field(phase_field)
-    , options(options)
-    , newton_options(newton_options)
-    , callbacks(std::move(callbacks))
-    , communicator(communicator)
-    , log(log)
-    , acceleration(options.acceleration)
-    , retreat(elastic)
-  {}
-
-
-
   // A run starts from equilibrium: at a loaded start a lag would not be that of
   // any step.
   template <int dim>

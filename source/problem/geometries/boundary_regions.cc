@@ -223,60 +223,6 @@ namespace MixedCracks
 
 
 
-  template <int dim>
-  std::optional<dealii::BoundingBox<dim>>
-  GeometryWithRegions<dim>::extent() const
-  {
-    return geometry->extent();
-  }
-
-
-
-  template <int dim>
-  std::optional<double>
-  GeometryWithRegions<dim>::n_coarse_cells() const
-  {
-    return geometry->n_coarse_cells();
-  }
-
-
-
-  template <int dim>
-  std::string
-  GeometryWithRegions<dim>::about_mesh() const
-  {
-    return geometry->about_mesh();
-  }
-
-
-
-  template <int dim>
-  std::string
-  GeometryWithRegions<dim>::hint_about_boundaries() const
-  {
-    return geometry->hint_about_boundaries();
-  }
-
-
-
-  template <int dim>
-  std::map<std::string, FlatPiece<dim>>
-  GeometryWithRegions<dim>::named_places() const
-  {
-    return geometry->named_places();
-  }
-
-
-
-  template <int dim>
-  std::vector<FlatPiece<dim>>
-  GeometryWithRegions<dim>::slits() const
-  {
-    return geometry->slits();
-  }
-
-
-
   template class GeometryWithRegions<2>;
   template class GeometryWithRegions<3>;
 } // namespace MixedCracks

@@ -260,15 +260,6 @@ namespace MixedCracks
 
 
   template <int dim>
-  std::optional<dealii::BoundingBox<dim>>
-  MeshFile<dim>::extent() const
-  {
-    return {};
-  }
-
-
-
-  template <int dim>
   void
   MeshFile<dim>::create(dealii::Triangulation<dim> &triangulation) const
   {
@@ -290,15 +281,6 @@ namespace MixedCracks
     dealii::types::manifold_id manifold = 0;
     for (const Circle &circle : parsed_circles())
       set_circle(triangulation, circle, ++manifold);
-  }
-
-
-
-  template <int dim>
-  std::string
-  MeshFile<dim>::about_mesh() const
-  {
-    return remarks;
   }
 
 
