@@ -45,12 +45,11 @@ namespace MixedCracks
   };
 
   /// Write it with the peak that @p rows show, and with the events of a table
-  /// in CSV, where there are some. Called on one rank. Returns what went wrong,
-  /// for a person.
-  std::string write_summary(const std::string                &file_name,
-                            const Summary                    &summary,
-                            const std::vector<StatisticsRow> &rows,
-                            const std::string                &events = "");
+  /// in CSV, where there are some. Called on one rank. Throws FileError.
+  void write_summary(const std::string                &file_name,
+                     const Summary                    &summary,
+                     const std::vector<StatisticsRow> &rows,
+                     const std::string                &events = "");
 
   /// Index of the row with the largest force; @p without_equilibrium: of those
   /// but the last, whose force is a load that was not carried.

@@ -13,7 +13,6 @@
 // first ones find room, and only then remove the old run. If anything before
 // fails, that run is as it was.
 
-#include <base/collective.h>
 #include <base/errors.h>
 #include <base/ranges.h>
 
@@ -21,6 +20,7 @@
 
 #include <output/directory.h>
 #include <output/run_files.h>
+#include <output/small_file.h>
 
 #include <filesystem>
 #include <fstream>
@@ -181,22 +181,17 @@ namespace MixedCracks
                   const MPI_Comm     communicator,
                   const Body        &body)
     {
-      std::string message;
-      if (dealii::Utilities::MPI::this_mpi_process(communicator) == 0)
+      MixedCracks::on_first_rank(communicator, [&]() {
         try
         {
           body();
         }
-        catch (const FileError &error)
-        {
-          message = error.what();
-        }
         catch (const fs::filesystem_error &error)
         {
-          message = "Output/Directory: '" + directory +
-                    "' cannot be made: " + error.code().message() + ".";
+          throw FileError("Output/Directory: '" + directory +
+                          "' cannot be made: " + error.code().message() + ".");
         }
-      throw_on_all_ranks(message, communicator);
+      });
     }
   } // namespace
 

@@ -5,6 +5,7 @@
 
 #include <output/disk.h>
 #include <output/run_directory.h>
+#include <output/small_file.h>
 
 namespace MixedCracks
 {
@@ -43,16 +44,13 @@ namespace MixedCracks
                              communicator);
     log.open(directory + "/log.txt", existing == ExistingRun::resume);
     throw_on_all_ranks(log.failure(), communicator);
-    std::string message;
-    if (dealii::Utilities::MPI::this_mpi_process(communicator) == 0)
-    {
+    on_first_rank(communicator, [&]() {
       // a resumed run had them already
       if (!write_durably(directory + "/parameters.prm", effective_parameters)
              .empty())
-        message = "Output/Directory: '" + directory +
-                  "/parameters.prm' cannot be written.";
-    }
-    throw_on_all_ranks(message, communicator);
+        throw FileError("Output/Directory: '" + directory +
+                        "/parameters.prm' cannot be written.");
+    });
     return true;
   }
 

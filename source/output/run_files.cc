@@ -18,7 +18,6 @@
 #include <output/checkpoint_seal.h>
 #include <output/disk.h>
 #include <output/run_files.h>
-#include <output/small_file.h>
 
 #include <algorithm>
 #include <filesystem>
@@ -94,7 +93,8 @@ namespace MixedCracks
         return true;
       const std::string path = (fs::path(directory) / run_files_name).string();
       remove_cut_line(path);
-      return append_to_file(path, text).empty();
+      std::ofstream file(path, std::ios::app);
+      return static_cast<bool>(file << text << std::flush);
     }
 
     // of names those that are not in the list

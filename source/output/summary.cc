@@ -6,6 +6,7 @@
 //
 // JSON has no NaN and no infinity: such numbers are null.
 
+#include <base/errors.h>
 #include <base/finite_text.h>
 
 #include <output/disk.h>
@@ -133,7 +134,7 @@ namespace MixedCracks
 
 
 
-  std::string
+  void
   write_summary(const std::string                &file_name,
                 const Summary                    &summary,
                 const std::vector<StatisticsRow> &rows,
@@ -180,9 +181,8 @@ namespace MixedCracks
     const std::string problem = write_durably(
       file_name,
       json.dump(2, ' ', false, Json::error_handler_t::replace) + '\n');
-    return problem.empty()
-             ? ""
-             : "Output/Directory: the summary cannot be written: " + problem +
-                 '.';
+    if (!problem.empty())
+      throw FileError(
+        "Output/Directory: the summary cannot be written: " + problem + '.');
   }
 } // namespace MixedCracks

@@ -17,12 +17,12 @@
 // ranks say whether they have succeeded, and only then rank 0 renames.
 // fields.xdmf comes last.
 
-#include <base/collective.h>
 #include <base/errors.h>
 #include <base/log.h>
 
 #include <output/disk.h>
 #include <output/run_files.h>
+#include <output/small_file.h>
 #include <output/xdmf_output.h>
 
 #include <cstdlib>
@@ -281,9 +281,7 @@ namespace MixedCracks
   void
   XdmfOutput<dim>::write_list() const
   {
-    std::string message;
-    if (Utilities::MPI::this_mpi_process(communicator) == 0)
-    {
+    on_first_rank(communicator, [&]() {
       std::string text = "<?xml version=\"1.0\"?>\n"
                          "<Xdmf Version=\"2.0\">\n<Domain>\n"
                          "<Grid Name=\"steps\" GridType=\"Collection\" "
@@ -292,9 +290,8 @@ namespace MixedCracks
         text += grid.second;
       text += "</Grid>\n</Domain>\n</Xdmf>\n";
       if (!write_whole(directory + "/fields.xdmf", text))
-        message = failure(directory);
-    }
-    throw_on_all_ranks(message, communicator);
+        throw FileError(failure(directory));
+    });
   }
 
 

@@ -21,7 +21,7 @@ namespace MixedCracks
     {
       const std::string name =
         testing::TempDir() + "summary_" + std::to_string(getpid());
-      EXPECT_EQ(write_summary(name, summary, {}, events), "");
+      write_summary(name, summary, {}, events);
       std::ifstream      file(name);
       std::ostringstream text;
       for (std::string word; file >> word;)
