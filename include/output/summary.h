@@ -4,6 +4,7 @@
 
 #include <cracks/crack_outcome.h>
 
+#include <output/run_totals.h>
 #include <output/statistics.h>
 
 #include <map>
@@ -33,11 +34,8 @@ namespace MixedCracks
     int                      dimension = 2;
     Outcome                  cracks;
     std::string              exit_reason;
-    int                      exit_status    = 0;
-    unsigned int             rejected_steps = 0, factorizations = 0, solves = 0;
-    double                   wall_time = 0.; ///< s
-    /// seconds spent in each phase, the largest over the ranks
-    std::map<std::string, double> phases;
+    int                      exit_status = 0;
+    RunTotals                cost; ///< of all pieces
     /// MB of all ranks together in each phase of this piece, and at most
     std::map<std::string, double> memory;
     double                        peak_memory = 0.;

@@ -163,11 +163,11 @@ namespace MixedCracks
     json["outcome_start"]     = summary.cracks.start;
     json["exit_reason"]       = summary.exit_reason;
     json["exit_status"]       = summary.exit_status;
-    json["rejected_steps"]    = summary.rejected_steps;
-    json["factorizations"]    = summary.factorizations;
-    json["wall_time_s"]       = number(summary.wall_time);
+    json["rejected_steps"]    = summary.cost.rejected_steps;
+    json["factorizations"]    = summary.cost.factorizations;
+    json["wall_time_s"]       = number(summary.cost.wall_time);
     json["seconds_per_phase"] = Json::object();
-    for (const auto &[name, seconds] : summary.phases)
+    for (const auto &[name, seconds] : summary.cost.phases)
       json["seconds_per_phase"][name] = number(seconds);
     json["peak_memory_MB"]      = number(summary.peak_memory);
     json["memory_MB_per_phase"] = Json::object();

@@ -34,7 +34,7 @@ namespace MixedCracks
   TEST(Summary, NumbersAreFiniteOrNull)
   {
     Summary summary;
-    summary.wall_time      = std::numeric_limits<double>::infinity();
+    summary.cost.wall_time = std::numeric_limits<double>::infinity();
     summary.thickness      = std::numeric_limits<double>::quiet_NaN();
     summary.cell_size      = 1. / 3.;
     summary.ranks          = 2;
