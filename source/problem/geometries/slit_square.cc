@@ -63,11 +63,7 @@ namespace MixedCracks
                       "Length of the slit in x; mm. Its nodes are doubled (but "
                       "for the tip), and the phase field is 0 on it.",
                       Double(0.));
-    prm.add_parameter("Cell size",
-                      cell_size,
-                      "Wanted size of the cells of the coarse mesh, before "
-                      "refinement; mm.",
-                      Double(0.));
+    add_cell_size(prm, cell_size);
     mirrored.add_parameters(prm);
   }
 
