@@ -12,6 +12,7 @@
 
 #include <base/plane.h>
 #include <base/ranges.h>
+#include <base/segment.h>
 
 #include <cracks/crack_path_boundary.h>
 
@@ -25,19 +26,6 @@ namespace MixedCracks
 
   namespace
   {
-    Point<2>
-    nearest_on(const BoundaryEdge &edge, const Point<2> &point)
-    {
-      const Tensor<1, 2> along  = edge.end - edge.begin;
-      const double       square = along.norm_square();
-      if (square == 0.)
-        return edge.begin;
-      const double s = ((point - edge.begin) * along) / square;
-      return edge.begin + std::min(1., std::max(0., s)) * along;
-    }
-
-
-
     // every point once
     std::vector<Point<2>>
     vertices_of(const std::vector<BoundaryEdge> &edges,
@@ -175,8 +163,9 @@ namespace MixedCracks
     BoundaryPlace place;
     for (const unsigned int e : notch ? notch_edges : other_edges)
     {
-      const Point<2> candidate = nearest_on(edges[e], point);
-      const double   distance  = candidate.distance(point);
+      const Point<2> candidate =
+        nearest_on_segment(edges[e].begin, edges[e].end, point);
+      const double distance = candidate.distance(point);
       if (distance < place.distance)
       {
         place.point    = candidate;
