@@ -21,6 +21,7 @@
 // the sheet is whole, where phi < 0.5 up to the boundary: a front that near has
 // reached it. Distances are straight, a sheet is bent little on that way.
 
+#include <base/names.h>
 #include <base/ranges.h>
 
 #include <cracks/crack_path.h>
@@ -311,10 +312,7 @@ namespace MixedCracks
         words.push_back(name);
     if (!fronts.empty())
       words.emplace_back("tip");
-    std::string text;
-    for (const std::string &word : words)
-      text += (text.empty() ? "" : " to ") + word;
-    return text;
+    return join_names(words, " to ");
   }
 
 

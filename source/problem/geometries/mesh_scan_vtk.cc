@@ -19,6 +19,7 @@
 // Gmsh writes: the numbers of curves and surfaces). Nodes and cells are counted
 // from 0. Unknown parts are passed over line by line.
 
+#include <base/names.h>
 #include <base/text.h>
 
 #include <problem/geometries/mesh_scan_abaqus.h>
@@ -134,19 +135,8 @@ namespace MixedCracks
                                             ? integers_of(line[place])
                                             : std::vector<long int>();
           if (n.size() != 1)
-            throw broken_line("line", in_one(line));
+            throw broken_line("line", join_names(line, " "));
           return static_cast<std::size_t>(n[0]);
-        }
-
-
-
-        static std::string
-        in_one(const std::vector<std::string> &line)
-        {
-          std::string text;
-          for (const std::string &word : line)
-            text += (text.empty() ? "" : " ") + word;
-          return text;
         }
 
 
@@ -157,7 +147,8 @@ namespace MixedCracks
           const std::string word = upper_case(line[0]);
           if (word == "DATASET" &&
               (line.size() < 2 || upper_case(line[1]) != "UNSTRUCTURED_GRID"))
-            throw MeshProblem("is a VTK file with " + in_quotes(in_one(line)) +
+            throw MeshProblem("is a VTK file with " +
+                              in_quotes(join_names(line, " ")) +
                               "; allowed is an UNSTRUCTURED_GRID");
           if (word == "POINTS")
             read_points(count(line, 1));
