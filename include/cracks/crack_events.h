@@ -55,8 +55,6 @@ namespace MixedCracks
   private:
     using Meeting = std::pair<std::string, dealii::Point<3>>;
 
-    bool watches(const std::string &kind) const;
-
     /// Boundaries that cracks have come to and not been at before.
     std::vector<Meeting> new_meetings(const TracedCracks  &cracks,
                                       const DamageOrigins &origins) const;

@@ -12,6 +12,7 @@
 
 #include <map>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace MixedCracks
@@ -44,7 +45,10 @@ namespace MixedCracks
   public:
     /// @p names: of boundaries, by their ids.
     CrackObserver(const Fields<dim>                                &fields,
-                  std::map<dealii::types::boundary_id, std::string> names);
+                  std::map<dealii::types::boundary_id, std::string> names)
+      : fields(fields)
+      , names(std::move(names))
+    {}
 
     /// To be called when the mesh changed. @p length_scale: l, mm. @p
     /// front_lag, in l: how far a front in space lies behind the place where

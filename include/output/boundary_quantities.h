@@ -7,6 +7,8 @@
 #include <discretization/constraints.h>
 #include <discretization/fields.h>
 
+#include <utility>
+
 namespace MixedCracks
 {
   /// Forces and displacements on the boundary.
@@ -18,7 +20,11 @@ namespace MixedCracks
     /// prescribed points that move, or at all points where none does.
     BoundaryQuantities(const Fields<dim>      &fields,
                        const Constraints<dim> &constraints,
-                       BoundaryIds             force_boundary);
+                       BoundaryIds             force_boundary)
+      : fields(fields)
+      , constraints(constraints)
+      , boundary(std::move(force_boundary))
+    {}
 
     /// To be called when the mesh changed.
     void reinit();

@@ -66,7 +66,10 @@ namespace MixedCracks
     using Triangulation = dealii::parallel::distributed::Triangulation<dim>;
 
     /// @p directory: the output directory.
-    Checkpoint(const std::string &directory, MPI_Comm communicator);
+    Checkpoint(const std::string &output_directory, const MPI_Comm communicator)
+      : directory(output_directory + "/checkpoint")
+      , communicator(communicator)
+    {}
 
     /// Overwrite the older generation: when this returns, it is on the disk
     /// and was read back. Throws FileError, and leaves the other generation

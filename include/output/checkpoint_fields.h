@@ -31,7 +31,9 @@ namespace MixedCracks
   public:
     using Triangulation = dealii::parallel::distributed::Triangulation<dim>;
 
-    explicit CheckpointFields(const Fields<dim> &fields);
+    explicit CheckpointFields(const Fields<dim> &fields)
+      : fields(fields)
+    {}
 
     /// Save the mesh as @p path, and the vectors of @p state with it. Whether
     /// the disk has room for them is to be known before: what fails here ends

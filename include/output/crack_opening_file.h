@@ -16,31 +16,14 @@ namespace MixedCracks
   /// of Output/Crack opening; without lines there is no file. Rank 0 writes;
   /// throws FileError on all of them. Collective.
   template <int dim>
-  class CrackOpeningFile
+  class CrackOpeningFile : public RestoredTable
   {
   public:
     CrackOpeningFile(const std::string                   &directory,
                      const std::vector<OpeningLine<dim>> &lines,
                      MPI_Comm                             communicator);
 
-    /// See RestoredTable.
-    void
-    open()
-    {
-      table.open();
-    }
 
-    void
-    restore(const std::string &earlier)
-    {
-      table.restore(earlier);
-    }
-
-    const std::string &
-    rows() const
-    {
-      return table.rows();
-    }
 
     /// @p openings: mm, one line after the other.
     void add(unsigned int               step,
@@ -49,7 +32,6 @@ namespace MixedCracks
 
   private:
     const std::vector<OpeningLine<dim>> lines;
-    RestoredTable                       table;
   };
 } // namespace MixedCracks
 

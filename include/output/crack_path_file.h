@@ -14,21 +14,26 @@ namespace MixedCracks
   /// The paths of cracks as they grow: DIR/crack_path.csv, a row per point;
   /// DIR/crack_path/crack_path_NNNNNN.vtp, a file per step; and
   /// DIR/crack_path.pvd, which lists them. Only for the rank that writes. The
-  /// functions return what went wrong, for a person; empty when all is well.
+  /// functions throw FileError.
   class CrackPathFile
   {
   public:
     /// @p tolerance, mm: paths that differ by less from those written last
     /// are not written; a tenth of l is sensible. Writes nothing yet.
-    CrackPathFile(const std::string &directory, double tolerance);
+    CrackPathFile(const std::string &directory, const double tolerance)
+      : directory(directory)
+      , csv_name(directory + "/crack_path.csv")
+      , pvd_name(directory + "/crack_path.pvd")
+      , tolerance(tolerance)
+    {}
 
     /// Begin anew: the header, and an empty list.
-    std::string open();
+    void open();
 
     /// Write anew what an earlier run has come to, whatever its files hold by
     /// now. @p earlier: its rows(). The next add() is compared with its last
     /// paths.
-    std::string restore(const std::string &earlier);
+    void restore(const std::string &earlier);
 
     /// The header and all rows, without the outcome: for a checkpoint. A step
     /// adds to them only when a crack has moved by the tolerance.
@@ -40,24 +45,23 @@ namespace MixedCracks
 
     /// Add the paths of a step, unless they are those written last; opens the
     /// file when that was not done. Without cracks there is nothing to write.
-    std::string add(unsigned int              step,
-                    double                    time,         // s
-                    double                    displacement, // mm
-                    const std::vector<Crack> &cracks);
+    void add(unsigned int              step,
+             double                    time,         // s
+             double                    displacement, // mm
+             const std::vector<Crack> &cracks);
 
     /// Add the line "# outcome: <path>; start: <start>".
-    std::string finish(const Outcome &outcome);
+    void finish(const Outcome &outcome);
 
   private:
     using Cracks = std::vector<Crack>;
 
-    bool        differs(const std::vector<Crack> &cracks) const;
-    std::string write_vtp(unsigned int              step,
-                          const std::vector<Crack> &cracks) const;
-    std::string write_table_and_list() const;
-    std::string write_pvd() const;
-    void        take_row(const std::vector<std::string> &columns);
-    std::string restore_vtp() const;
+    bool differs(const std::vector<Crack> &cracks) const;
+    void write_vtp(unsigned int step, const std::vector<Crack> &cracks) const;
+    void write_table_and_list() const;
+    void write_pvd() const;
+    void take_row(const std::vector<std::string> &columns);
+    void restore_vtp() const;
 
     const std::string directory, csv_name, pvd_name;
     const double      tolerance;

@@ -18,7 +18,10 @@ namespace MixedCracks
   class CrackPathWriter
   {
   public:
-    CrackPathWriter(const std::string &directory, MPI_Comm communicator);
+    CrackPathWriter(const std::string &directory, const MPI_Comm communicator)
+      : directory(directory)
+      , communicator(communicator)
+    {}
 
     /// Begin anew. @p length_scale: l, mm; paths that move by less than a
     /// tenth of it are not written again.

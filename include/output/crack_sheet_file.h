@@ -18,22 +18,25 @@ namespace MixedCracks
   /// DIR/crack_sheet/crack_sheet_NNNNNN.vtp, the triangles, and
   /// DIR/crack_front/crack_front_NNNNNN.vtp, the lines; and crack_sheet.pvd and
   /// crack_front.pvd, which list them. Only for the rank that writes. The
-  /// functions return what went wrong, for a person; empty when all is well.
+  /// functions throw FileError.
   class CrackSheetFile
   {
   public:
     /// @p tolerance, mm: cracks whose fronts have moved by less since they were
     /// written last are not written; a tenth of l is sensible.
-    CrackSheetFile(const std::string &directory, double tolerance);
+    CrackSheetFile(const std::string &directory, const double tolerance)
+      : directory(directory)
+      , tolerance(tolerance)
+    {}
 
     /// Begin anew: the headers, and empty lists.
-    std::string open();
+    void open();
 
     /// Write anew what an earlier run has come to, @p sheets and @p fronts
     /// being its rows. Files of lines are written where they are missing;
     /// triangles are not kept, and the list has those files of them that are
     /// there.
-    std::string restore(const std::string &sheets, const std::string &fronts);
+    void restore(const std::string &sheets, const std::string &fronts);
 
     /// The headers and all rows, for a checkpoint.
     const std::string &
@@ -53,21 +56,20 @@ namespace MixedCracks
     bool differs(const std::vector<CrackSheet> &sheets) const;
 
     /// Add those of a step. @p fronts: all of their points.
-    std::string add(unsigned int                   step,
-                    double                         time,         // s
-                    double                         displacement, // mm
-                    const std::vector<CrackSheet> &sheets,
-                    const std::vector<FrontRow>   &fronts);
+    void add(unsigned int                   step,
+             double                         time,         // s
+             double                         displacement, // mm
+             const std::vector<CrackSheet> &sheets,
+             const std::vector<FrontRow>   &fronts);
 
     /// Add the line "# outcome: <path>; start: <start>; joins: <names>".
-    std::string finish(const Outcome &outcome) const;
+    void finish(const Outcome &outcome) const;
 
   private:
     using Steps = std::vector<std::pair<unsigned int, double>>; // time, s
 
-    std::string restore_front_files();
-    std::string write_tables_and_lists() const;
-    std::string write_lists() const;
+    void restore_front_files();
+    void write_lists() const;
 
     const std::string       directory;
     const double            tolerance; // mm

@@ -21,7 +21,10 @@ namespace MixedCracks
   class CrackSheetWriter
   {
   public:
-    CrackSheetWriter(const std::string &directory, const Fields<dim> &fields);
+    CrackSheetWriter(const std::string &directory, const Fields<dim> &fields)
+      : directory(directory)
+      , fields(fields)
+    {}
 
     /// Begin anew. @p length_scale: l, mm; cracks whose fronts move by less
     /// than a tenth of it are not written again.

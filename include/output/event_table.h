@@ -5,6 +5,7 @@
 #include <cracks/crack_events.h>
 
 #include <output/event_parameters.h>
+#include <output/restored_table.h>
 #include <output/statistics.h>
 
 #include <mpi.h>
@@ -17,13 +18,18 @@ namespace MixedCracks
 {
   /// DIR/events.csv: a row for each event of Output/Events; there is no file
   /// without. Rank 0 writes; throws FileError on all of them. Collective.
-  class EventTable
+  class EventTable : public RestoredTable
   {
   public:
     EventTable(const std::string     &directory,
-               int                    dim,
+               const int              dim,
                const EventParameters &parameters,
-               MPI_Comm               communicator);
+               const MPI_Comm         communicator)
+      : RestoredTable(directory + "/events.csv", header(dim), communicator)
+      , dim(dim)
+      , is_on(!parameters.kinds(dim).empty())
+      , events(dim, parameters.kinds(dim), parameters.size_step(dim))
+    {}
 
     /// Begin anew.
     void open();
@@ -45,23 +51,12 @@ namespace MixedCracks
       return last_step == step;
     }
 
-    /// The header and all rows, for a checkpoint; empty on other ranks than 0
-    /// and where there is no file.
-    const std::string &
-    rows() const
-    {
-      return all_rows;
-    }
-
   private:
-    void write(const std::string &content, bool append) const;
+    static std::string header(int dim);
 
-    const std::string           name;
     const int                   dim;
     const bool                  is_on;
-    const MPI_Comm              communicator;
     CrackEvents                 events;
-    std::string                 all_rows;
     std::optional<unsigned int> last_step; // with an event but the start
   };
 } // namespace MixedCracks

@@ -21,7 +21,10 @@ namespace MixedCracks
   {
   public:
     PointDisplacements(const Fields<dim>                  &fields,
-                       const std::vector<NamedPoint<dim>> &points);
+                       const std::vector<NamedPoint<dim>> &points)
+      : fields(fields)
+      , points(points)
+    {}
 
     /// Find the cells; to be called when the mesh changed. Throws InputError
     /// on all ranks for a point outside of the mesh. Collective.

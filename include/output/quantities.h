@@ -74,24 +74,61 @@ namespace MixedCracks
     Quantity(const std::string &name,
              const std::string &unit,
              const std::string &sentence,
-             const Evaluation  &evaluate);
+             const Evaluation  &evaluate)
+      : name(name)
+      , unit(unit)
+      , sentence(sentence)
+      , evaluate(evaluate)
+    {}
 
     /// What is derived from rows is not kept in them.
     Quantity(const std::string &name,
              const std::string &unit,
              const std::string &sentence,
-             const Derivation  &derive);
+             const Derivation  &derive)
+      : name(name)
+      , unit(unit)
+      , sentence(sentence)
+      , derive(derive)
+    {}
 
-    Quantity written_as(Format format) const;
-    Quantity in_summary_as(InSummary place) const;
-    Quantity only_in_3d() const;
+    Quantity
+    written_as(const Format how)
+    {
+      format = how;
+      return *this;
+    }
+
+    Quantity
+    in_summary_as(const InSummary place)
+    {
+      summary = place;
+      return *this;
+    }
+
+    Quantity
+    only_in_3d()
+    {
+      has_2d = false;
+      return *this;
+    }
 
     /// Evaluated only where that entry of the .prm asks for it.
-    Quantity only_with(const std::string &entry) const;
+    Quantity
+    only_with(const std::string &parameter)
+    {
+      entry = parameter;
+      return *this;
+    }
 
     /// Where its integral has another name and unit in 3-d.
-    Quantity called_in_3d(const std::string &name,
-                          const std::string &unit) const;
+    Quantity
+    called_in_3d(const std::string &other_name, const std::string &other_unit)
+    {
+      name_in_3d = other_name;
+      unit_in_3d = other_unit;
+      return *this;
+    }
 
     /// Its name in files, with the unit.
     std::string column(int dim) const;

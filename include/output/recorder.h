@@ -24,8 +24,6 @@
 #include <output/traction_profiles.h>
 #include <output/watched_boundaries.h>
 
-#include <optional>
-
 namespace MixedCracks
 {
   /// What is to be recorded; the parameters must outlive the recorder.

@@ -17,7 +17,11 @@ namespace MixedCracks
     /// @p header: the first line, with its end; empty: there is no file.
     RestoredTable(const std::string &name,
                   const std::string &header,
-                  MPI_Comm           communicator);
+                  const MPI_Comm     communicator)
+      : communicator(communicator)
+      , name(name)
+      , header(header)
+    {}
 
     /// Begin anew.
     void open();
@@ -34,15 +38,17 @@ namespace MixedCracks
       return all_rows;
     }
 
-    /// Lines with their ends, which rank 0 needs.
+    /// Lines with their ends, if any, which rank 0 needs.
     void add(const std::string &lines);
+
+  protected:
+    const MPI_Comm communicator;
 
   private:
     void write(const std::string &content, bool append) const;
 
     const std::string name;
     const std::string header;
-    const MPI_Comm    communicator;
     std::string       all_rows;
   };
 } // namespace MixedCracks

@@ -20,9 +20,14 @@ namespace MixedCracks
   public:
     /// @p effective_parameters: the complete .prm, to be kept with the results.
     RunDirectory(const OutputParameters &parameters,
-                 const std::string      &effective_parameters,
-                 MPI_Comm                communicator,
-                 Log                    &log);
+                 const std::string      &effective,
+                 const MPI_Comm          communicator,
+                 Log                    &log)
+      : directory(parameters.directory)
+      , effective_parameters(effective)
+      , communicator(communicator)
+      , log(log)
+    {}
 
     /// Refuse a directory that must not be written into, and change nothing.
     /// Whether it is free: then there is nothing to lose by opening it. Further

@@ -18,9 +18,6 @@ namespace MixedCracks
   /// The text a process writes into its lock file.
   std::string describe_this_process(bool has_heartbeat);
 
-  /// The contents of a lock file; empty when it cannot be read.
-  std::string holder_text(const std::string &path);
-
   LockHolder read_holder(const std::string &path);
 
   /// "process 12 on host a since ...", or as much as is known.

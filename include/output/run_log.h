@@ -24,7 +24,10 @@ namespace MixedCracks
   class RunLog
   {
   public:
-    RunLog(Log &log, const RunLogOptions &options);
+    RunLog(Log &log, const RunLogOptions &options)
+      : log(log)
+      , options(options)
+    {}
 
     /// What is said of energies, once the material is known; before that
     /// nothing is.

@@ -23,7 +23,9 @@ namespace MixedCracks
       dealii::Point<dim> position;   ///< of the undeformed body, mm
     };
 
-    explicit SlitOverlap(const Fields<dim> &fields);
+    explicit SlitOverlap(const Fields<dim> &fields)
+      : fields(fields)
+    {}
 
     /// When the coarse mesh is there, and may be called again.
     void reinit();

@@ -14,10 +14,16 @@ namespace MixedCracks
   class SlitWatch
   {
   public:
-    explicit SlitWatch(const Fields<dim> &fields);
+    explicit SlitWatch(const Fields<dim> &fields)
+      : overlap(fields)
+    {}
 
     /// When the coarse mesh is there.
-    void reinit();
+    void
+    reinit()
+    {
+      overlap.reinit();
+    }
 
     /// Look at an accepted state: "" or a line for the log. Collective.
     std::string watch(const State &state);

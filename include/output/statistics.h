@@ -19,7 +19,9 @@ namespace MixedCracks
   class StatisticsTable
   {
   public:
-    explicit StatisticsTable(MPI_Comm communicator);
+    explicit StatisticsTable(const MPI_Comm communicator)
+      : communicator(communicator)
+    {}
 
     /// Open @p file_name anew, with a column for each quantity, those that the
     /// entries @p asked of the .prm ask for included, and then those of

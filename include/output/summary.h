@@ -4,6 +4,7 @@
 
 #include <cracks/crack_outcome.h>
 
+#include <output/run_totals.h>
 #include <output/statistics.h>
 
 #include <map>
@@ -33,11 +34,8 @@ namespace MixedCracks
     int                      dimension = 2;
     Outcome                  cracks;
     std::string              exit_reason;
-    int                      exit_status    = 0;
-    unsigned int             rejected_steps = 0, factorizations = 0, solves = 0;
-    double                   wall_time = 0.; ///< s
-    /// seconds spent in each phase, the largest over the ranks
-    std::map<std::string, double> phases;
+    int                      exit_status = 0;
+    RunTotals                cost; ///< of all pieces
     /// MB of all ranks together in each phase of this piece, and at most
     std::map<std::string, double> memory;
     double                        peak_memory = 0.;
@@ -45,12 +43,11 @@ namespace MixedCracks
   };
 
   /// Write it with the peak that @p rows show, and with the events of a table
-  /// in CSV, where there are some. Called on one rank. Returns what went wrong,
-  /// for a person.
-  std::string write_summary(const std::string                &file_name,
-                            const Summary                    &summary,
-                            const std::vector<StatisticsRow> &rows,
-                            const std::string                &events = "");
+  /// in CSV, where there are some. Called on one rank. Throws FileError.
+  void write_summary(const std::string                &file_name,
+                     const Summary                    &summary,
+                     const std::vector<StatisticsRow> &rows,
+                     const std::string                &events = "");
 
   /// Index of the row with the largest force; @p without_equilibrium: of those
   /// but the last, whose force is a load that was not carried.

@@ -20,6 +20,22 @@
 
 namespace MixedCracks
 {
+  /// Members of a structure for TextWriter and TextReader, in their order. All
+  /// have to be named: where one is added to the structure, this no longer
+  /// compiles until it is written and read. Found by the type of the argument,
+  /// hence not in a namespace of its own.
+  template <typename T, typename Structure>
+  using IfIs =
+    std::enable_if_t<std::is_same_v<std::remove_const_t<T>, Structure>, int>;
+
+#define MIXED_CRACKS_MEMBERS(Structure, ...)    \
+  template <typename T, IfIs<T, Structure> = 0> \
+  static auto members(T &structure)             \
+  {                                             \
+    auto &[__VA_ARGS__] = structure;            \
+    return std::tie(__VA_ARGS__);               \
+  }
+
   /// Values as text, numbers to the last digit, separated by blanks. A
   /// structure is what its function members() lists: a tuple of references.
   class TextWriter

@@ -31,31 +31,14 @@ namespace MixedCracks
   /// are in the order of the coordinates, on any number of ranks. Rank 0
   /// writes; throws FileError on all of them. Collective.
   template <int dim>
-  class TractionProfiles
+  class TractionProfiles : public RestoredTable
   {
   public:
     TractionProfiles(const std::string     &directory,
                      TractionProfileOptions options,
                      MPI_Comm               communicator);
 
-    /// See RestoredTable.
-    void
-    open()
-    {
-      table.open();
-    }
 
-    void
-    restore(const std::string &earlier)
-    {
-      table.restore(earlier);
-    }
-
-    const std::string &
-    rows() const
-    {
-      return table.rows();
-    }
 
     /// An accepted step, where it is its turn.
     void
@@ -63,8 +46,6 @@ namespace MixedCracks
 
   private:
     const TractionProfileOptions options;
-    const MPI_Comm               communicator;
-    RestoredTable                table;
   };
 } // namespace MixedCracks
 

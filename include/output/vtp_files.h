@@ -22,10 +22,10 @@ namespace MixedCracks
   bool is_whole_vtp(const std::string &file_name);
 
   /// Note file @p name in the register of @p directory, then write it, its
-  /// folder too. Returns what went wrong, for a person; empty when all is well.
-  std::string write_vtp_file(const std::string &directory,
-                             const std::string &name,
-                             const std::string &content);
+  /// folder too. Throws FileError.
+  void write_vtp_file(const std::string &directory,
+                      const std::string &name,
+                      const std::string &content);
 
   /// A list of such files, @p steps_and_times, as "FOLDER.pvd" has it.
   std::string list_of_vtp(

@@ -9,6 +9,7 @@
 #include <output/watched_boundaries_parameters.h>
 
 #include <functional>
+#include <utility>
 
 namespace MixedCracks
 {
@@ -27,8 +28,14 @@ namespace MixedCracks
     WatchedBoundaries(const Fields<dim>                &fields,
                       const Constraints<dim>           &constraints,
                       std::vector<WatchedBoundary<dim>> boundaries,
-                      double                            thickness,
-                      bool                              finite_strain);
+                      const double                      thickness,
+                      const bool                        finite_strain)
+      : fields(fields)
+      , constraints(constraints)
+      , boundaries(std::move(boundaries))
+      , thickness(thickness)
+      , finite_strain(finite_strain)
+    {}
 
     /// Where the loads are asked for.
     void

@@ -6,7 +6,6 @@
 #include <deal.II/base/point.h>
 
 #include <discretization/boundary_ids.h>
-#include <map>
 
 #include <optional>
 #include <string>

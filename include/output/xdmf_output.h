@@ -20,7 +20,10 @@ namespace MixedCracks
   {
   public:
     /// @p directory: the output directory, with "fields" in it.
-    XdmfOutput(const std::string &directory, MPI_Comm communicator);
+    XdmfOutput(const std::string &directory, const MPI_Comm communicator)
+      : directory(directory)
+      , communicator(communicator)
+    {}
 
     /// Write the patches of @p data_out, of which a rank without cells has
     /// none (@p has_cells), and the list of all steps. Returns the

@@ -83,10 +83,6 @@ namespace MixedCracks
     const Expression                  half_width;
     std::shared_ptr<const Expression> phase_field; // or null
   };
-
-  /// Distance of a point from a segment, mm.
-  template <int dim>
-  double distance(const dealii::Point<dim> &point, const Segment<dim> &segment);
 } // namespace MixedCracks
 
 #endif

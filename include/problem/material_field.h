@@ -77,7 +77,12 @@ namespace MixedCracks
     MaterialField(const MaterialParameters       &parameters,
                   std::shared_ptr<const GridData> map);
 
-    bool varies() const;
+
+    bool
+    varies() const
+    {
+      return !by_id.empty() || elsewhere.varies();
+    }
 
     /// Throws InputError, with the position, unless they make a material.
     MaterialValues operator()(const dealii::Point<dim>  &point,

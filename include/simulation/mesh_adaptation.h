@@ -16,7 +16,9 @@ namespace MixedCracks
   class MeshAdaptation
   {
   public:
-    explicit MeshAdaptation(Body<dim> &body);
+    explicit MeshAdaptation(Body<dim> &body)
+      : body(body)
+    {}
 
     /// Whether the phase field of a trial damages cells that are to be finer.
     bool needs_finer_mesh(const State &trial) const;

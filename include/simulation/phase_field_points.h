@@ -16,7 +16,9 @@ namespace MixedCracks
   class PhaseFieldPoints
   {
   public:
-    explicit PhaseFieldPoints(const BoundaryConditions<dim> &conditions);
+    explicit PhaseFieldPoints(const BoundaryConditions<dim> &conditions)
+      : entries(conditions.point_phase_fields())
+    {}
 
     /// To be called when the mesh changed. Throws InputError on all ranks for a
     /// point that is no vertex. Collective.

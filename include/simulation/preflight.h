@@ -20,7 +20,10 @@ namespace MixedCracks
   class Preflight
   {
   public:
-    Preflight(const Body<dim> &body, Log &log);
+    Preflight(const Body<dim> &body, Log &log)
+      : body(body)
+      , log(log)
+    {}
 
     /// Say it. @p slits: of the coarse mesh. @p earlier: warnings of the pieces
     /// of the run that it goes on from.

@@ -17,7 +17,10 @@ namespace MixedCracks
   public:
     /// @p description: at finite strain, of a material that is the same
     /// everywhere.
-    explicit RubberBar(const MaterialDescription &description);
+    explicit RubberBar(const MaterialDescription &description)
+      : law(description)
+      , constants(description.constants.value())
+    {}
 
     /// W of the undamaged bar per undeformed volume, MPa.
     double energy(double stretch) const;

@@ -32,7 +32,17 @@ namespace MixedCracks
                Recorder<dim>       &recorder,
                RunStop             &stop,
                PhaseTimer          &timer,
-               Log                 &log);
+               Log                 &log)
+      : signature(signature)
+      , body(body)
+      , crack_observer(crack_observer)
+      , load_control(load_control)
+      , recorder(recorder)
+      , stop(stop)
+      , timer(timer)
+      , log(log)
+      , checkpoint(body.parameters.output.directory, body.communicator())
+    {}
 
     /// Find the newest checkpoint. Throws InputError when the case is another
     /// one. An expression that has ended the run may be another one: that is
@@ -51,7 +61,11 @@ namespace MixedCracks
     }
 
     /// The mesh, of the earlier piece.
-    void restore_body();
+    void
+    restore_body()
+    {
+      body.restore(checkpoint, resumed->cell_size);
+    }
 
     /// The last state of the earlier piece, when everything lives on its mesh;
     /// load control goes on from there. No file of the run is touched.

@@ -17,7 +17,11 @@ namespace MixedCracks
   class RunStop
   {
   public:
-    RunStop(MPI_Comm communicator, double wall_time_limit, Log &log);
+    RunStop(const MPI_Comm communicator, const double wall_time_limit, Log &log)
+      : wall_time_limit(wall_time_limit)
+      , poll(communicator, wall_time_limit)
+      , log(log)
+    {}
 
     /// From here on stopping leaves something to continue from. @p resumed:
     /// the run goes on from a checkpoint.

@@ -18,7 +18,11 @@ namespace MixedCracks
   {
   public:
     /// @p wall_time_limit in s; 0: none.
-    StopPoll(MPI_Comm communicator, double wall_time_limit);
+    StopPoll(const MPI_Comm communicator, const double wall_time_limit)
+      : communicator(communicator)
+      , start(Clock::now())
+      , budget(wall_time_limit)
+    {}
 
     /// From now on there is a state to write, and the clock counts: stopping
     /// earlier would lose the work.

@@ -11,7 +11,9 @@ namespace MixedCracks
   {
   public:
     /// 0: no limit.
-    explicit WallTimeBudget(double limit);
+    explicit WallTimeBudget(const double limit)
+      : given_limit(limit)
+    {}
 
     /// What a load step, tried or accepted, has taken.
     void note_step(double duration);

@@ -29,7 +29,9 @@ namespace MixedCracks
   public:
     using Vector = LinearAlgebra::Vector;
 
-    explicit FixedPointAcceleration(const FixedPointOptions &options);
+    explicit FixedPointAcceleration(const FixedPointOptions &options)
+      : options(options)
+    {}
 
     /// Forget all iterates.
     void restart();

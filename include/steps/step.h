@@ -71,8 +71,18 @@ namespace MixedCracks
                const CouplingOptions &options,
                const NewtonOptions   &newton_options,
                Callbacks              callbacks,
-               MPI_Comm               communicator,
-               Log                   &log);
+               const MPI_Comm         communicator,
+               Log                   &log)
+      : elastic(elastic)
+      , phase_field(phase_field)
+      , options(options)
+      , newton_options(newton_options)
+      , callbacks(std::move(callbacks))
+      , communicator(communicator)
+      , log(log)
+      , acceleration(options.acceleration)
+      , retreat(elastic)
+    {}
 
     /// Solve for @p trial, whose time and time step are set, from @p accepted;
     /// iterated until it is in equilibrium where the time step is 0, that is

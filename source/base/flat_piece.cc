@@ -9,6 +9,7 @@
 //                   to an edge
 
 #include <base/flat_piece.h>
+#include <base/segment.h>
 
 #include <algorithm>
 
@@ -19,21 +20,6 @@ namespace MixedCracks
 
   namespace
   {
-    template <int dim>
-    double
-    distance_to_segment(const Point<dim> &point,
-                        const Point<dim> &begin,
-                        const Point<dim> &end)
-    {
-      const Tensor<1, dim> direction = end - begin;
-      const double         square    = direction.norm_square();
-      const double         part =
-        square > 0. ? (point - begin) * direction / square : 0.;
-      return point.distance(begin + std::clamp(part, 0., 1.) * direction);
-    }
-
-
-
     double
     distance_to_triangle(const Point<3>                &point,
                          const std::array<Point<3>, 3> &corners)
@@ -46,7 +32,8 @@ namespace MixedCracks
       for (unsigned int i = 0; i < 3; ++i)
       {
         const Point<3> &begin = corners[i], &end = corners[(i + 1) % 3];
-        nearest  = std::min(nearest, distance_to_segment(point, begin, end));
+        nearest = std::min(
+          nearest, point.distance(nearest_on_segment(begin, end, point)));
         longest  = std::max(longest, begin.distance(end));
         is_above = is_above &&
                    cross_product_3d(end - begin, point - begin) * normal >= 0.;
@@ -83,7 +70,8 @@ namespace MixedCracks
   double
   distance(const Point<2> &point, const FlatPiece<2> &piece)
   {
-    return distance_to_segment(point, piece.corners[0], piece.corners[1]);
+    return point.distance(
+      nearest_on_segment(piece.corners[0], piece.corners[1], point));
   }
 
 

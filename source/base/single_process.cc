@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
+#include <base/ranges.h>
 #include <base/single_process.h>
 #include <base/text.h>
 
@@ -95,13 +96,11 @@ namespace MixedCracks
       "MPIRUN",
       "MV2_COMM_WORLD",
       "MVP_COMM_WORLD"};
-    return std::any_of(
-      environment.begin(), environment.end(), [](const std::string &variable) {
-        return std::any_of(
-          beginnings.begin(), beginnings.end(), [&](const std::string &begin) {
-            return starts_with(variable, begin);
-          });
+    return any_of(environment, [](const std::string &variable) {
+      return any_of(beginnings, [&](const std::string &begin) {
+        return starts_with(variable, begin);
       });
+    });
   }
 
 

@@ -13,6 +13,7 @@
 // communicate.
 
 #include <base/errors.h>
+#include <base/ranges.h>
 #include <base/text.h>
 #include <base/time_table.h>
 
@@ -70,9 +71,7 @@ namespace MixedCracks
     for (const std::string &field : split_list(line, ','))
       numbers.push_back(number_in(field));
     const bool is_of_names =
-      std::none_of(numbers.begin(), numbers.end(), [](const auto &number) {
-        return number.has_value();
-      });
+      !any_of(numbers, [](const auto &number) { return number.has_value(); });
     const bool has_digit_first = is_digit(line[0]) || line[0] == '-';
     if (times.empty() && is_of_names && !has_digit_first)
       return "";

@@ -19,6 +19,7 @@
 // state to show.
 
 #include <base/finite_text.h>
+#include <base/ranges.h>
 
 #include <cracks/crack_events.h>
 
@@ -74,12 +75,11 @@ namespace MixedCracks
              const DamageOrigins &origins)
     {
       const std::vector<Point<2>> nuclei = in_plane(origins.nuclei);
-      return std::any_of(
-        nuclei.begin(), nuclei.end(), [&](const Point<2> &nucleus) {
-          const double distance = end.distance(nucleus);
-          return distance < origins.reach &&
-                 distance <= other_end.distance(nucleus);
-        });
+      return any_of(nuclei, [&](const Point<2> &nucleus) {
+        const double distance = end.distance(nucleus);
+        return distance < origins.reach &&
+               distance <= other_end.distance(nucleus);
+      });
     }
 
 
@@ -144,14 +144,6 @@ namespace MixedCracks
 
 
 
-  bool
-  CrackEvents::watches(const std::string &kind) const
-  {
-    return std::find(kinds.begin(), kinds.end(), kind) != kinds.end();
-  }
-
-
-
   double
   CrackEvents::multiples(const double growth_so_far) const
   {
@@ -169,15 +161,11 @@ namespace MixedCracks
     {
       const auto is_known = [&](const Meeting &other) {
         return other.first == contact.boundary &&
-               std::any_of(contact.places.begin(),
-                           contact.places.end(),
-                           [&](const Point<3> &place) {
-                             return other.second.distance(place) <
-                                    origins.reach;
-                           });
+               any_of(contact.places, [&](const Point<3> &place) {
+                 return other.second.distance(place) < origins.reach;
+               });
       };
-      if (std::none_of(meetings.begin(), meetings.end(), is_known) &&
-          std::none_of(found.begin(), found.end(), is_known))
+      if (!any_of(meetings, is_known) && !any_of(found, is_known))
         found.emplace_back(contact.boundary, rounded(contact.places.front()));
     }
     return found;
@@ -197,7 +185,7 @@ namespace MixedCracks
     const auto add = [&](const std::string             &kind,
                          const std::string             &boundary,
                          const std::optional<Point<3>> &place) {
-      if (!is_first && !watches(kind))
+      if (!is_first && !contains(kinds, kind))
         return;
       now.kind     = is_first ? "start" : kind;
       now.boundary = boundary;

@@ -19,7 +19,6 @@
 
 #include <algorithm>
 #include <tuple>
-#include <utility>
 
 namespace MixedCracks
 {
@@ -56,16 +55,6 @@ namespace MixedCracks
       return all;
     }
   } // namespace
-
-
-
-  template <int dim>
-  CrackObserver<dim>::CrackObserver(
-    const Fields<dim>                        &fields,
-    std::map<types::boundary_id, std::string> names)
-    : fields(fields)
-    , names(std::move(names))
-  {}
 
 
 

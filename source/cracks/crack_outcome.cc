@@ -18,7 +18,6 @@
 #include <cracks/crack_path_parts.h>
 
 #include <algorithm>
-#include <cmath>
 
 namespace MixedCracks
 {
@@ -52,14 +51,6 @@ namespace MixedCracks
 
 
 
-    bool
-    is_hole(const std::string &name)
-    {
-      return role_of_boundary(name) == BoundaryRole::hole;
-    }
-
-
-
     struct Hole
     {
       std::string name; // empty: there is none
@@ -76,7 +67,7 @@ namespace MixedCracks
       Tensor<1, 2> sum;
       double       length = 0.;
       for (const BoundaryEdge &edge : edges)
-        if (is_hole(edge.name))
+        if (role_of_boundary(edge.name) == BoundaryRole::hole)
         {
           const double part = edge.begin.distance(edge.end);
           sum += 0.5 * part * (edge.begin + Tensor<1, 2>(edge.end));

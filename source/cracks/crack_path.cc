@@ -17,6 +17,8 @@
 // to a skeleton needs a regular grid and leaves a spur at each ragged edge, to
 // be told from branches. A cheapest way has neither, and takes hanging nodes.
 
+#include <base/ranges.h>
+
 #include <cracks/crack_path.h>
 #include <cracks/crack_path_parts.h>
 
@@ -33,10 +35,9 @@ namespace MixedCracks
     is_nucleus_near(const CrackPathProblem &problem, const Point<2> &point)
     {
       const auto &nuclei = problem.options.nuclei;
-      return std::any_of(
-        nuclei.begin(), nuclei.end(), [&](const auto &nucleus) {
-          return nucleus.distance(point) < 3. * problem.options.length_scale;
-        });
+      return any_of(nuclei, [&](const auto &nucleus) {
+        return nucleus.distance(point) < 3. * problem.options.length_scale;
+      });
     }
 
 
@@ -88,11 +89,10 @@ namespace MixedCracks
           is_nucleus_near(problem, crack.points.back()))
         return false;
       const auto &nuclei = problem.options.nuclei;
-      return std::any_of(
-        nuclei.begin(), nuclei.end(), [&](const auto &nucleus) {
-          return distance_to(crack.points, nucleus) <
-                 3. * problem.options.length_scale;
-        });
+      return any_of(nuclei, [&](const auto &nucleus) {
+        return distance_to(crack.points, nucleus) <
+               3. * problem.options.length_scale;
+      });
     }
 
 
@@ -190,10 +190,9 @@ namespace MixedCracks
         std::max(0.5 * problem.options.length_scale, problem.h);
       const auto n = std::count_if(
         crack.points.begin(), crack.points.end(), [&](const Point<2> &point) {
-          return std::any_of(
-            known.begin(), known.end(), [&](const Crack &other) {
-              return distance_to(other.points, point) < near;
-            });
+          return any_of(known, [&](const Crack &other) {
+            return distance_to(other.points, point) < near;
+          });
         });
       return 2 * static_cast<std::size_t>(n) > crack.points.size();
     }

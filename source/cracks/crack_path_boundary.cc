@@ -11,6 +11,8 @@
 //   tip         of a notch: a vertex which all notch edges leave to one side
 
 #include <base/plane.h>
+#include <base/ranges.h>
+#include <base/segment.h>
 
 #include <cracks/crack_path_boundary.h>
 
@@ -24,19 +26,6 @@ namespace MixedCracks
 
   namespace
   {
-    Point<2>
-    nearest_on(const BoundaryEdge &edge, const Point<2> &point)
-    {
-      const Tensor<1, 2> along  = edge.end - edge.begin;
-      const double       square = along.norm_square();
-      if (square == 0.)
-        return edge.begin;
-      const double s = ((point - edge.begin) * along) / square;
-      return edge.begin + std::min(1., std::max(0., s)) * along;
-    }
-
-
-
     // every point once
     std::vector<Point<2>>
     vertices_of(const std::vector<BoundaryEdge> &edges,
@@ -46,10 +35,9 @@ namespace MixedCracks
       std::vector<Point<2>> vertices;
       for (const unsigned int e : which)
         for (const Point<2> &point : {edges[e].begin, edges[e].end})
-          if (std::none_of(
-                vertices.begin(), vertices.end(), [&](const Point<2> &other) {
-                  return other.distance(point) < tolerance;
-                }))
+          if (!any_of(vertices, [&](const Point<2> &other) {
+                return other.distance(point) < tolerance;
+              }))
             vertices.push_back(point);
       return vertices;
     }
@@ -112,10 +100,9 @@ namespace MixedCracks
       Tensor<1, 2> mean;
       for (const auto &direction : away)
         mean += direction;
-      const bool is_tip =
-        std::all_of(away.begin(), away.end(), [&](const Tensor<1, 2> &a) {
-          return a * mean > 0.7 * mean.norm();
-        });
+      const bool is_tip = all_of(away, [&](const Tensor<1, 2> &a) {
+        return a * mean > 0.7 * mean.norm();
+      });
       if (is_tip)
         tips.push_back({vertex, -mean / mean.norm(), 0.});
     }
@@ -176,8 +163,9 @@ namespace MixedCracks
     BoundaryPlace place;
     for (const unsigned int e : notch ? notch_edges : other_edges)
     {
-      const Point<2> candidate = nearest_on(edges[e], point);
-      const double   distance  = candidate.distance(point);
+      const Point<2> candidate =
+        nearest_on_segment(edges[e].begin, edges[e].end, point);
+      const double distance = candidate.distance(point);
       if (distance < place.distance)
       {
         place.point    = candidate;

@@ -16,6 +16,8 @@
 // parabolas, where a moving average over +-r would pull an arc of curvature k
 // inwards by about k r^2/6 each time.
 
+#include <base/segment.h>
+
 #include <cracks/crack_path_parts.h>
 
 #include <algorithm>
@@ -44,15 +46,9 @@ namespace MixedCracks
     if (points.size() == 1)
       return point.distance(points.front());
     for (std::size_t i = 1; i < points.size(); ++i)
-    {
-      const Tensor<1, 2> along  = points[i] - points[i - 1];
-      const double       square = along.norm_square();
-      const double       s =
-        square > 0. ? ((point - points[i - 1]) * along) / square : 0.;
       smallest = std::min(
         smallest,
-        point.distance(points[i - 1] + std::min(1., std::max(0., s)) * along));
-    }
+        point.distance(nearest_on_segment(points[i - 1], points[i], point)));
     return smallest;
   }
 

@@ -21,6 +21,9 @@
 // the sheet is whole, where phi < 0.5 up to the boundary: a front that near has
 // reached it. Distances are straight, a sheet is bent little on that way.
 
+#include <base/names.h>
+#include <base/ranges.h>
+
 #include <cracks/crack_path.h>
 #include <cracks/crack_sheet.h>
 #include <cracks/crack_sheet_front.h>
@@ -174,9 +177,7 @@ namespace MixedCracks
           if (vertex.distance(nucleus) < near)
           {
             const std::string name = boundary_near(nucleus, sides, near);
-            if (!is_notch(name) && std::find(options.initial.begin(),
-                                             options.initial.end(),
-                                             nucleus) != options.initial.end())
+            if (!is_notch(name) && contains(options.initial, nucleus))
               return root_of_initial_crack(nucleus, sides, options);
             return name.empty() ? "interior" : name;
           }
@@ -255,16 +256,14 @@ namespace MixedCracks
     {
       std::vector<unsigned int> broken;
       for (const auto &members : mesh.parts(0.1 * options.cell_size))
-        if (std::any_of(
-              members.begin(), members.end(), [&](const unsigned int t) {
-                const auto &v = mesh.triangles[t].vertices;
-                return std::any_of(
-                  v.begin(), v.end(), [&](const unsigned int vertex) {
-                    return vertex < phase_field.size() &&
-                           phase_field[vertex] < options.broken;
-                  });
-              }))
-          broken.insert(broken.end(), members.begin(), members.end());
+        if (any_of(members, [&](const unsigned int t) {
+              const auto &v = mesh.triangles[t].vertices;
+              return any_of(v, [&](const unsigned int vertex) {
+                return vertex < phase_field.size() &&
+                       phase_field[vertex] < options.broken;
+              });
+            }))
+          append(broken, members);
       std::sort(broken.begin(), broken.end());
       return mesh.only(broken);
     }
@@ -313,10 +312,7 @@ namespace MixedCracks
         words.push_back(name);
     if (!fronts.empty())
       words.emplace_back("tip");
-    std::string text;
-    for (const std::string &word : words)
-      text += (text.empty() ? "" : " to ") + word;
-    return text;
+    return join_names(words, " to ");
   }
 
 

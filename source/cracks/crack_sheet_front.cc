@@ -8,6 +8,8 @@
 // Chains have points where the triangles have sides; they are replaced by
 // points at equal distances of at most h.
 
+#include <base/segment.h>
+
 #include <cracks/crack_sheet_front.h>
 
 #include <algorithm>
@@ -21,20 +23,6 @@ namespace MixedCracks
 
   namespace
   {
-    double
-    distance_to_segment(const Point<3> &a,
-                        const Point<3> &b,
-                        const Point<3> &point)
-    {
-      const Tensor<1, 3> along  = b - a;
-      const double       square = along.norm_square();
-      const double       s =
-        square > 0. ? std::clamp((point - a) * along / square, 0., 1.) : 0.;
-      return point.distance(a + s * along);
-    }
-
-
-
     Tensor<1, 3>
     normed(const Tensor<1, 3> &vector)
     {
@@ -204,8 +192,9 @@ namespace MixedCracks
     for (std::size_t v = 0; v < distances.size(); ++v)
       boxes.near(mesh.vertices[v], [&](const unsigned int i) {
         const auto [a, b] = mesh.ends(cut[i]);
-        distances[v] =
-          std::min(distances[v], distance_to_segment(a, b, mesh.vertices[v]));
+        distances[v]      = std::min(distances[v],
+                                mesh.vertices[v].distance(
+                                  nearest_on_segment(a, b, mesh.vertices[v])));
       });
     return distances;
   }
@@ -220,10 +209,10 @@ namespace MixedCracks
     for (std::size_t i = front.is_closed ? 0 : 1; i < points.size(); ++i)
       smallest =
         std::min(smallest,
-                 distance_to_segment(
+                 point.distance(nearest_on_segment(
                    points[(i + points.size() - 1) % points.size()].position,
                    points[i].position,
-                   point));
+                   point)));
     return smallest;
   }
 

@@ -18,6 +18,8 @@
 // K is kept in boxes of edge R: what is nearer than R lies in the box of x or
 // in one of its 26 neighbours, of which a body in the plane has 8.
 
+#include <base/ranges.h>
+
 #include <cracks/damage_origins.h>
 
 #include <algorithm>
@@ -126,8 +128,6 @@ namespace MixedCracks
   is_known(const Point<3> &node, const DamageOrigins &origins)
   {
     const auto box = origins.known.find(box_of(node, origins.reach));
-    return box != origins.known.end() &&
-           std::find(box->second.begin(), box->second.end(), node) !=
-             box->second.end();
+    return box != origins.known.end() && contains(box->second, node);
   }
 } // namespace MixedCracks

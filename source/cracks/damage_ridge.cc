@@ -29,7 +29,6 @@
 #include <deal.II/lac/vector.h>
 
 #include <algorithm>
-#include <cmath>
 #include <map>
 #include <set>
 

@@ -9,7 +9,6 @@
 
 #include <cracks/sheet_mesh.h>
 
-#include <algorithm>
 #include <cmath>
 #include <numeric>
 

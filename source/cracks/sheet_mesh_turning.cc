@@ -4,7 +4,6 @@
 
 #include <cracks/sheet_mesh.h>
 
-#include <algorithm>
 #include <cmath>
 
 namespace MixedCracks

@@ -9,6 +9,8 @@
 // body cross x = x_center of the hole. They are 'through' when one of them ends
 // on it and none without it would do.
 
+#include <base/ranges.h>
+
 #include <cracks/sheet_outcome.h>
 
 #include <algorithm>
@@ -30,11 +32,9 @@ namespace MixedCracks
     bool
     ends_on_a_hole(const CrackSheet &sheet)
     {
-      return std::any_of(sheet.boundaries.begin(),
-                         sheet.boundaries.end(),
-                         [](const std::string &name) {
-                           return role_of_boundary(name) == BoundaryRole::hole;
-                         });
+      return any_of(sheet.boundaries, [](const std::string &name) {
+        return role_of_boundary(name) == BoundaryRole::hole;
+      });
     }
 
 
@@ -140,13 +140,11 @@ namespace MixedCracks
       if (hole)
       {
         outcome.hole = hole->name;
-        outcome.way  = std::all_of(cracks.begin(),
-                                  cracks.end(),
-                                  [](const CrackSheet *sheet) {
-                                    return ends_on_a_hole(*sheet);
-                                  })
-                         ? Outcome::Way::through
-                         : way_past(cracks, hole->center);
+        outcome.way =
+          all_of(cracks,
+                 [](const CrackSheet *sheet) { return ends_on_a_hole(*sheet); })
+            ? Outcome::Way::through
+            : way_past(cracks, hole->center);
       }
     }
     const std::string &start = first_crack(cracks, nuclei, length_scale).start;

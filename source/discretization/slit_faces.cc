@@ -12,6 +12,8 @@
 #include <deal.II/grid/tria_accessor.h>
 #include <deal.II/grid/tria_iterator.h>
 
+#include <base/ranges.h>
+
 #include <discretization/slit_faces.h>
 
 #include <algorithm>
@@ -94,13 +96,11 @@ namespace MixedCracks
       const double tolerance = same_place * a.diameter;
       if (a.center.distance(b.center) > tolerance)
         return false;
-      return std::all_of(
-        a.place.corners.begin(), a.place.corners.end(), [&](const auto &x) {
-          return std::any_of(
-            b.place.corners.begin(), b.place.corners.end(), [&](const auto &y) {
-              return x.distance(y) <= tolerance;
-            });
+      return all_of(a.place.corners, [&](const auto &x) {
+        return any_of(b.place.corners, [&](const auto &y) {
+          return x.distance(y) <= tolerance;
         });
+      });
     }
   } // namespace
 

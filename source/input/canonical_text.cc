@@ -9,7 +9,6 @@
 #include <input/canonical_text.h>
 
 #include <cctype>
-#include <cmath>
 #include <iomanip>
 #include <limits>
 #include <locale>

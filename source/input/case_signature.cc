@@ -40,14 +40,6 @@ namespace MixedCracks
 
 
     bool
-    is_in(const std::string &rule, const std::string &subsection)
-    {
-      return covers(subsection, rule) && rule != subsection;
-    }
-
-
-
-    bool
     may_change(const ResumeRule &rule)
     {
       return rule.change == ResumeRule::yes;
@@ -66,7 +58,8 @@ namespace MixedCracks
         {
           std::vector<std::string> exceptions;
           for (const ResumeRule &other : resume_rules())
-            if (is_in(other.name, rule.name) && !may_change(other))
+            if (other.name != rule.name && covers(rule.name, other.name) &&
+                !may_change(other))
               exceptions.push_back(other.name.substr(rule.name.size() + 1));
           whole.push_back(rule.name +
                           (exceptions.empty()

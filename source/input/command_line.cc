@@ -6,6 +6,7 @@
 
 #include <base/errors.h>
 #include <base/names.h>
+#include <base/ranges.h>
 #include <base/text.h>
 
 #include <input/case_id.h>
@@ -73,9 +74,10 @@ namespace MixedCracks
       // The same, which need not be there.
       std::optional<std::string> optional_value();
 
-      std::string format_of_parameters();
-
-      std::string scope_of_case_id() const;
+      // What is given, which is one of those, or else the first of them.
+      static std::string one_of(const std::string                &name,
+                                const std::vector<std::string>   &allowed,
+                                const std::optional<std::string> &given);
 
       std::vector<std::string> arguments;
       std::size_t              position = 0;
@@ -97,31 +99,24 @@ namespace MixedCracks
 
       if (name == "--set")
         return read_setting(value_of(name, "\"Subsection/.../Entry=value\""));
-      if (name == "--parameters")
+      std::optional<std::string> *const once =
+        name == "--parameters" ? &result.parameters
+        : name == "--case-id"  ? &result.case_id
+        : name == "--example"  ? &result.example
+        : name == "--output"   ? &result.output
+                               : nullptr;
+      // (a word behind --case-id is the parameter file, a scope is attached)
+      if (once != nullptr)
       {
-        result.parameters = format_of_parameters();
+        if (*once)
+          throw InputError(name + " is given twice.");
+        *once = name == "--parameters"
+                  ? one_of(name, parameter_formats(), optional_value())
+                : name == "--case-id" ? one_of(name, case_id_scopes(), attached)
+                : name == "--example" ? optional_value().value_or("")
+                                      : value_of(name, "a directory");
         return;
       }
-      if (name == "--case-id")
-      {
-        result.case_id = scope_of_case_id();
-        return;
-      }
-      if (name == "--example")
-      {
-        if (result.example)
-          throw InputError("--example is given twice.");
-        result.example = optional_value().value_or("");
-        return;
-      }
-      if (name == "--output")
-      {
-        if (result.output)
-          throw InputError("--output is given twice.");
-        result.output = value_of(name, "a directory");
-        return;
-      }
-
       bool *const flag = name == "--check"       ? &result.check
                          : name == "--resume"    ? &result.resume
                          : name == "--overwrite" ? &result.overwrite
@@ -199,31 +194,14 @@ namespace MixedCracks
 
 
     std::string
-    Reader::format_of_parameters()
+    Reader::one_of(const std::string                &name,
+                   const std::vector<std::string>   &allowed,
+                   const std::optional<std::string> &given)
     {
-      if (result.parameters)
-        throw InputError("--parameters is given twice.");
-      const std::vector<std::string> &formats = parameter_formats();
-      const std::string format = optional_value().value_or(formats.front());
-      if (std::find(formats.begin(), formats.end(), format) == formats.end())
-        throw InputError("--parameters: " +
-                         unknown_name_message(format, formats));
-      return format;
-    }
-
-
-
-    // A word behind it is the parameter file; another scope is attached.
-    std::string
-    Reader::scope_of_case_id() const
-    {
-      if (result.case_id)
-        throw InputError("--case-id is given twice.");
-      const std::vector<std::string> &scopes = case_id_scopes();
-      const std::string scope = attached ? *attached : scopes.front();
-      if (std::find(scopes.begin(), scopes.end(), scope) == scopes.end())
-        throw InputError("--case-id: " + unknown_name_message(scope, scopes));
-      return scope;
+      const std::string found = given.value_or(allowed.front());
+      if (!contains(allowed, found))
+        throw InputError(name + ": " + unknown_name_message(found, allowed));
+      return found;
     }
   } // namespace
 

@@ -6,6 +6,7 @@
 // tree.
 
 #include <base/names.h>
+#include <base/ranges.h>
 #include <base/text.h>
 
 #include <deal.II/base/patterns.h>
@@ -13,18 +14,10 @@
 #include <input/parameter_check.h>
 #include <input/pattern_words.h>
 
-#include <algorithm>
-
 namespace MixedCracks
 {
   namespace
   {
-    bool
-    contains(const std::vector<std::string> &names, const std::string &name)
-    {
-      return std::find(names.begin(), names.end(), name) != names.end();
-    }
-
     // "; it belongs in A/B or C", or nothing
     std::string
     other_places(const std::vector<std::string> &places)

@@ -9,6 +9,7 @@
 // same.
 
 #include <base/errors.h>
+#include <base/ranges.h>
 #include <base/text.h>
 
 #include <deal.II/base/mpi.h>
@@ -19,7 +20,6 @@
 #include <boost/serialization/string.hpp>
 #include <boost/serialization/vector.hpp>
 
-#include <algorithm>
 #include <cctype>
 #include <cerrno>
 #include <cstring>
@@ -71,16 +71,15 @@ namespace MixedCracks
       if (text.size() > largest_file)
         throw InputError(what + " has more than 8 MB; that is no parameter "
                                 "file.");
-      if (std::any_of(text.begin(), text.end(), [](const unsigned char c) {
+      if (any_of(text, [](const unsigned char c) {
             return (c < 32 && std::isspace(c) == 0) || c == 127;
           }))
         throw InputError(what + " is not a text file: it holds bytes that no "
                                 "text has.");
       if (starts_with(text, "\xEF\xBB\xBF")) // byte order mark
         text.erase(0, 3);
-      if (std::all_of(text.begin(), text.end(), [](const unsigned char c) {
-            return std::isspace(c) != 0;
-          }))
+      if (all_of(text,
+                 [](const unsigned char c) { return std::isspace(c) != 0; }))
         throw InputError(what + " is empty.");
       return text;
     }
@@ -147,9 +146,7 @@ namespace MixedCracks
           continue;
         }
         const fs::path other = (path.parent_path() / name).lexically_normal();
-        if (std::find(including.begin(),
-                      including.end(),
-                      fs::weakly_canonical(other)) != including.end())
+        if (contains(including, fs::weakly_canonical(other)))
           throw InputError(line.place() + ": '" + name + "' includes itself.");
         if (!fs::exists(other))
           throw FileError(line.place() + ": the included file '" +

@@ -44,7 +44,6 @@
 
 #include <deal.II/base/numbers.h>
 
-#include <algorithm>
 #include <cmath>
 #include <limits>
 

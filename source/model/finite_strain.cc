@@ -38,7 +38,6 @@
 
 #include <deal.II/base/symmetric_tensor.h>
 
-#include <cmath>
 #include <limits>
 
 namespace MixedCracks

@@ -19,6 +19,7 @@
 // the prescribed u_b (components not prescribed 0), and over points of |u_b|.
 
 #include <base/collective.h>
+#include <base/ranges.h>
 
 #include <deal.II/base/quadrature_lib.h>
 
@@ -30,21 +31,10 @@
 
 #include <algorithm>
 #include <map>
-#include <utility>
 
 namespace MixedCracks
 {
   using namespace dealii;
-
-  template <int dim>
-  BoundaryQuantities<dim>::BoundaryQuantities(
-    const Fields<dim>      &fields,
-    const Constraints<dim> &constraints,
-    BoundaryIds             force_boundary)
-    : fields(fields)
-    , constraints(constraints)
-    , boundary(std::move(force_boundary))
-  {}
 
 
 
@@ -66,14 +56,12 @@ namespace MixedCracks
   {
     const auto &points = constraints.prescribed_points();
     const auto  moves  = [&points](const Point<dim> &position) {
-      return std::any_of(
-        points.begin(), points.end(), [&position](const auto &entry) {
-          return entry.moves && entry.point == position;
-        });
+      return any_of(points, [&position](const auto &entry) {
+        return entry.moves && entry.point == position;
+      });
     };
-    const bool any = std::any_of(points.begin(),
-                                 points.end(),
-                                 [](const auto &entry) { return entry.moves; });
+    const bool any =
+      any_of(points, [](const auto &entry) { return entry.moves; });
     for (IndexSet &dofs : owned_dofs)
       dofs = IndexSet(fields.elastic.n_dofs());
     for (std::size_t i = 0; i < points.size(); ++i)

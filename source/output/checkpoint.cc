@@ -149,15 +149,6 @@ namespace MixedCracks
 
 
   template <int dim>
-  Checkpoint<dim>::Checkpoint(const std::string &output_directory,
-                              const MPI_Comm     communicator)
-    : directory(output_directory + "/checkpoint")
-    , communicator(communicator)
-  {}
-
-
-
-  template <int dim>
   std::string
   Checkpoint<dim>::newest_directory() const
   {

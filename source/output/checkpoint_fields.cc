@@ -135,13 +135,6 @@ namespace MixedCracks
 
 
   template <int dim>
-  CheckpointFields<dim>::CheckpointFields(const Fields<dim> &fields)
-    : fields(fields)
-  {}
-
-
-
-  template <int dim>
   std::vector<char>
   CheckpointFields<dim>::values(const State        &state,
                                 const CellIterator &cell) const

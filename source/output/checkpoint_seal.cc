@@ -115,42 +115,22 @@ namespace MixedCracks
 
 
 
-  // found by the type of their argument, hence not in a namespace of their own
-  template <typename T, typename Structure>
-  using IfIs =
-    std::enable_if_t<std::is_same_v<std::remove_const_t<T>, Structure>, int>;
+  MIXED_CRACKS_MEMBERS(FileOnDisk, name, size, checksum)
 
-  template <typename File, IfIs<File, FileOnDisk> = 0>
-  static auto
-  members(File &file)
-  {
-    auto &[name, size, checksum] = file;
-    return std::tie(name, size, checksum);
-  }
+  MIXED_CRACKS_MEMBERS(FieldsOnDisk, cells, bytes_per_cell, sum)
 
-  template <typename Values, IfIs<Values, FieldsOnDisk> = 0>
-  static auto
-  members(Values &values)
-  {
-    auto &[cells, bytes_per_cell, sum] = values;
-    return std::tie(cells, bytes_per_cell, sum);
-  }
+  MIXED_CRACKS_MEMBERS(DamageOrigins,
+                       reach,
+                       known,
+                       initial,
+                       nuclei,
+                       initial_has_grown)
 
-  template <typename Origins, IfIs<Origins, DamageOrigins> = 0>
-  static auto
-  members(Origins &origins)
-  {
-    auto &[reach, known, initial, nuclei, initial_has_grown] = origins;
-    return std::tie(reach, known, initial, nuclei, initial_has_grown);
-  }
-
-  template <typename Contents, IfIs<Contents, ContentsOnDisk> = 0>
-  static auto
-  members(Contents &contents)
-  {
-    auto &[fields, mesh_checksum, files, damage_origins] = contents;
-    return std::tie(fields, mesh_checksum, files, damage_origins);
-  }
+  MIXED_CRACKS_MEMBERS(ContentsOnDisk,
+                       fields,
+                       mesh_checksum,
+                       files,
+                       damage_origins)
 
 
 

@@ -11,7 +11,7 @@ namespace MixedCracks
   namespace
   {
     std::string
-    header(const int dim)
+    header_of_openings(const int dim)
     {
       return std::string("step,time_s,line,position_mm,x_mm,y_mm,") +
              (dim == 3 ? "z_mm," : "") + "opening_mm\n";
@@ -26,10 +26,10 @@ namespace MixedCracks
     const std::string                   &directory,
     const std::vector<OpeningLine<dim>> &lines,
     const MPI_Comm                       communicator)
-    : lines(lines)
-    , table(directory + "/crack_opening.csv",
-            lines.empty() ? "" : header(dim),
-            communicator)
+    : RestoredTable(directory + "/crack_opening.csv",
+                    lines.empty() ? "" : header_of_openings(dim),
+                    communicator)
+    , lines(lines)
   {}
 
 
@@ -54,7 +54,7 @@ namespace MixedCracks
           out << ',' << position[d];
         out << ',' << openings[number] << '\n';
       }
-    table.add(out.str());
+    RestoredTable::add(out.str());
   }
 
 

@@ -76,33 +76,23 @@ namespace MixedCracks
 
 
 
-  CrackPathFile::CrackPathFile(const std::string &directory,
-                               const double       tolerance)
-    : directory(directory)
-    , csv_name(directory + "/crack_path.csv")
-    , pvd_name(directory + "/crack_path.pvd")
-    , tolerance(tolerance)
-  {}
-
-
-
-  std::string
+  void
   CrackPathFile::write_table_and_list() const
   {
-    const std::string message = replace_small_file(csv_name, all_rows);
-    return message.empty() ? write_pvd() : message;
+    replace_small_file(csv_name, all_rows);
+    write_pvd();
   }
 
 
 
-  std::string
+  void
   CrackPathFile::open()
   {
     is_open = true;
     last.clear();
     steps.clear();
     all_rows = header_line;
-    return write_table_and_list();
+    write_table_and_list();
   }
 
 
@@ -128,7 +118,7 @@ namespace MixedCracks
 
 
 
-  std::string
+  void
   CrackPathFile::restore(const std::string &earlier)
   {
     is_open = true;
@@ -136,7 +126,7 @@ namespace MixedCracks
     steps.clear();
     all_rows = header_line;
     std::istringstream in(earlier);
-    std::string        line, message;
+    std::string        line;
     std::getline(in, line);
     while (std::getline(in, line))
     {
@@ -144,28 +134,24 @@ namespace MixedCracks
       if (columns.size() != n_columns)
         continue;
       const unsigned int step = step_of(columns);
-      if (!steps.empty() && steps.back().first != step && message.empty())
-        message = restore_vtp();
+      if (!steps.empty() && steps.back().first != step)
+        restore_vtp();
       take_row(columns);
       all_rows += line + '\n';
     }
-    if (message.empty())
-      message = restore_vtp();
-    if (!message.empty())
-      return message;
-    return write_table_and_list();
+    restore_vtp();
+    write_table_and_list();
   }
 
 
 
   // of the step taken last
-  std::string
+  void
   CrackPathFile::restore_vtp() const
   {
-    if (steps.empty() ||
-        is_whole_vtp(directory + '/' + vtp_name(folder, steps.back().first)))
-      return "";
-    return write_vtp(steps.back().first, last);
+    if (!steps.empty() &&
+        !is_whole_vtp(directory + '/' + vtp_name(folder, steps.back().first)))
+      write_vtp(steps.back().first, last);
   }
 
 
@@ -193,20 +179,16 @@ namespace MixedCracks
 
 
 
-  std::string
+  void
   CrackPathFile::add(const unsigned int        step,
                      const double              time,
                      const double              displacement,
                      const std::vector<Crack> &cracks)
   {
     if (!is_open)
-    {
-      const std::string message = open();
-      if (!message.empty())
-        return message;
-    }
+      open();
     if (cracks.empty() || !differs(cracks))
-      return "";
+      return;
     last = cracks;
     steps.emplace_back(step, time);
     const std::string added =
@@ -214,43 +196,37 @@ namespace MixedCracks
                      csv_number(displacement),
                    cracks);
     all_rows += added;
-    std::string message = append_to_file(csv_name, added);
-    if (message.empty())
-      message = write_vtp(step, cracks);
-    return message.empty() ? write_pvd() : message;
+    append_to_file(csv_name, added);
+    write_vtp(step, cracks);
+    write_pvd();
   }
 
 
 
-  std::string
+  void
   CrackPathFile::finish(const Outcome &outcome)
   {
     if (!is_open)
-    {
-      const std::string message = open();
-      if (!message.empty())
-        return message;
-    }
-    return append_to_file(csv_name,
-                          "# outcome: " + path_in_words(outcome) +
-                            "; start: " + outcome.start + '\n');
+      open();
+    append_to_file(csv_name,
+                   "# outcome: " + path_in_words(outcome) +
+                     "; start: " + outcome.start + '\n');
   }
 
 
 
-  std::string
+  void
   CrackPathFile::write_vtp(const unsigned int        step,
                            const std::vector<Crack> &cracks) const
   {
-    return write_vtp_file(
-      directory, vtp_name(folder, step), crack_path_vtp(cracks));
+    write_vtp_file(directory, vtp_name(folder, step), crack_path_vtp(cracks));
   }
 
 
 
-  std::string
+  void
   CrackPathFile::write_pvd() const
   {
-    return replace_small_file(pvd_name, list_of_vtp(folder, steps));
+    replace_small_file(pvd_name, list_of_vtp(folder, steps));
   }
 } // namespace MixedCracks

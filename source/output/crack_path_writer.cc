@@ -1,21 +1,11 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include <base/collective.h>
-
 #include <deal.II/base/mpi.h>
 
 #include <output/crack_path_writer.h>
+#include <output/small_file.h>
 
 namespace MixedCracks
 {
-  template <int dim>
-  CrackPathWriter<dim>::CrackPathWriter(const std::string &directory,
-                                        const MPI_Comm     communicator)
-    : directory(directory)
-    , communicator(communicator)
-  {}
-
-
-
   template <int dim>
   void
   CrackPathWriter<dim>::make_file(const double length_scale)
@@ -31,7 +21,7 @@ namespace MixedCracks
   CrackPathWriter<dim>::open(const double length_scale)
   {
     make_file(length_scale);
-    throw_on_all_ranks(file ? file->open() : "", communicator);
+    with_file(file, communicator, [&](auto &it) { it.open(); });
   }
 
 
@@ -42,7 +32,7 @@ namespace MixedCracks
                                 const std::string &earlier)
   {
     make_file(length_scale);
-    throw_on_all_ranks(file ? file->restore(earlier) : "", communicator);
+    with_file(file, communicator, [&](auto &it) { it.restore(earlier); });
   }
 
 
@@ -54,8 +44,9 @@ namespace MixedCracks
                             const double              displacement,
                             const std::vector<Crack> &cracks)
   {
-    throw_on_all_ranks(file ? file->add(step, time, displacement, cracks) : "",
-                       communicator);
+    with_file(file, communicator, [&](auto &it) {
+      it.add(step, time, displacement, cracks);
+    });
   }
 
 
@@ -64,7 +55,7 @@ namespace MixedCracks
   void
   CrackPathWriter<dim>::finish(const Outcome &outcome)
   {
-    throw_on_all_ranks(file ? file->finish(outcome) : "", communicator);
+    with_file(file, communicator, [&](auto &it) { it.finish(outcome); });
   }
 
 

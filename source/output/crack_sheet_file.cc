@@ -133,23 +133,15 @@ namespace MixedCracks
 
 
 
-  CrackSheetFile::CrackSheetFile(const std::string &directory,
-                                 const double       tolerance)
-    : directory(directory)
-    , tolerance(tolerance)
-  {}
-
-
-
-  std::string
+  void
   CrackSheetFile::open()
   {
-    return restore("", "");
+    restore("", "");
   }
 
 
 
-  std::string
+  void
   CrackSheetFile::restore(const std::string &sheets, const std::string &fronts)
   {
     all_sheets = sheets.empty() ? header_of_sheets : sheets;
@@ -171,14 +163,16 @@ namespace MixedCracks
     for (const auto &step : steps)
       if (is_whole_vtp(directory + '/' + vtp_name(sheet_folder, step.first)))
         steps_with_sheets.push_back(step);
-    const std::string message = restore_front_files();
-    return message.empty() ? write_tables_and_lists() : message;
+    restore_front_files();
+    replace_small_file(directory + "/crack_sheet.csv", all_sheets);
+    replace_small_file(directory + "/crack_front.csv", all_fronts);
+    write_lists();
   }
 
 
 
   // the fronts of the last step, too
-  std::string
+  void
   CrackSheetFile::restore_front_files()
   {
     std::map<unsigned int, std::vector<FrontRow>> by_step;
@@ -192,48 +186,21 @@ namespace MixedCracks
     for (const auto &step : steps)
     {
       const std::string name = vtp_name(front_folder, step.first);
-      if (is_whole_vtp(directory + '/' + name))
-        continue;
-      const std::string message =
+      if (!is_whole_vtp(directory + '/' + name))
         write_vtp_file(directory, name, crack_front_vtp(by_step[step.first]));
-      if (!message.empty())
-        return message;
     }
-    return "";
   }
 
 
 
-  std::string
-  CrackSheetFile::write_tables_and_lists() const
-  {
-    for (const auto &[name, content] :
-         {std::pair("/crack_sheet.csv", &all_sheets),
-          std::pair("/crack_front.csv", &all_fronts)})
-    {
-      const std::string message =
-        replace_small_file(directory + name, *content);
-      if (!message.empty())
-        return message;
-    }
-    return write_lists();
-  }
-
-
-
-  std::string
+  void
   CrackSheetFile::write_lists() const
   {
     for (const auto &[folder, written] :
          {std::pair(sheet_folder, &steps_with_sheets),
           std::pair(front_folder, &steps)})
-    {
-      const std::string message = replace_small_file(
-        directory + '/' + folder + ".pvd", list_of_vtp(folder, *written));
-      if (!message.empty())
-        return message;
-    }
-    return "";
+      replace_small_file(directory + '/' + folder + ".pvd",
+                         list_of_vtp(folder, *written));
   }
 
 
@@ -254,7 +221,7 @@ namespace MixedCracks
 
 
 
-  std::string
+  void
   CrackSheetFile::add(const unsigned int             step,
                       const double                   time,
                       const double                   displacement,
@@ -278,28 +245,25 @@ namespace MixedCracks
     all_fronts += of_fronts;
     steps.emplace_back(step, time);
     steps_with_sheets.emplace_back(step, time);
-    for (const std::string &message :
-         {append_to_file(directory + "/crack_sheet.csv", of_sheets),
-          append_to_file(directory + "/crack_front.csv", of_fronts),
-          write_vtp_file(
-            directory, vtp_name(sheet_folder, step), crack_sheet_vtp(sheets)),
-          write_vtp_file(
-            directory, vtp_name(front_folder, step), crack_front_vtp(fronts))})
-      if (!message.empty())
-        return message;
-    return write_lists();
+    append_to_file(directory + "/crack_sheet.csv", of_sheets);
+    append_to_file(directory + "/crack_front.csv", of_fronts);
+    write_vtp_file(
+      directory, vtp_name(sheet_folder, step), crack_sheet_vtp(sheets));
+    write_vtp_file(
+      directory, vtp_name(front_folder, step), crack_front_vtp(fronts));
+    write_lists();
   }
 
 
 
-  std::string
+  void
   CrackSheetFile::finish(const Outcome &outcome) const
   {
     std::string joins;
     for (const std::string &names : outcome.joins)
       joins += (joins.empty() ? "; joins: " : ", ") + names;
-    return append_to_file(directory + "/crack_sheet.csv",
-                          "# outcome: " + path_in_words(outcome) +
-                            "; start: " + outcome.start + joins + '\n');
+    append_to_file(directory + "/crack_sheet.csv",
+                   "# outcome: " + path_in_words(outcome) +
+                     "; start: " + outcome.start + joins + '\n');
   }
 } // namespace MixedCracks

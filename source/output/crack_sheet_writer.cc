@@ -1,21 +1,13 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include <base/collective.h>
-
 #include <deal.II/base/mpi.h>
 
 #include <output/crack_sheet_writer.h>
 #include <output/front_opening.h>
+#include <output/small_file.h>
 
 namespace MixedCracks
 {
   using namespace dealii;
-
-  template <int dim>
-  CrackSheetWriter<dim>::CrackSheetWriter(const std::string &directory,
-                                          const Fields<dim> &fields)
-    : directory(directory)
-    , fields(fields)
-  {}
 
 
 
@@ -36,7 +28,7 @@ namespace MixedCracks
   CrackSheetWriter<dim>::open(const double length)
   {
     make_file(length);
-    throw_on_all_ranks(file ? file->open() : "", fields.communicator());
+    with_file(file, fields.communicator(), [&](auto &it) { it.open(); });
   }
 
 
@@ -48,8 +40,9 @@ namespace MixedCracks
                                  const std::string &fronts)
   {
     make_file(length);
-    throw_on_all_ranks(file ? file->restore(sheets, fronts) : "",
-                       fields.communicator());
+    with_file(file, fields.communicator(), [&](auto &it) {
+      it.restore(sheets, fronts);
+    });
   }
 
 
@@ -73,9 +66,9 @@ namespace MixedCracks
           MixedCracks::front_rows(sheets, earlier_fronts, time - earlier_time);
         for (std::size_t i = 0; i < rows.size(); ++i)
           rows[i].opening_angle = angles[i];
-        throw_on_all_ranks(
-          file ? file->add(step, time, displacement, sheets, rows) : "",
-          fields.communicator());
+        with_file(file, fields.communicator(), [&](auto &it) {
+          it.add(step, time, displacement, sheets, rows);
+        });
       }
       remember(time, sheets);
     }
@@ -89,8 +82,8 @@ namespace MixedCracks
   void
   CrackSheetWriter<dim>::finish(const Outcome &outcome)
   {
-    throw_on_all_ranks(file ? file->finish(outcome) : "",
-                       fields.communicator());
+    with_file(
+      file, fields.communicator(), [&](auto &it) { it.finish(outcome); });
   }
 
 

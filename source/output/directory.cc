@@ -13,15 +13,15 @@
 // first ones find room, and only then remove the old run. If anything before
 // fails, that run is as it was.
 
-#include <base/collective.h>
 #include <base/errors.h>
+#include <base/ranges.h>
 
 #include <deal.II/base/mpi.h>
 
 #include <output/directory.h>
 #include <output/run_files.h>
+#include <output/small_file.h>
 
-#include <algorithm>
 #include <filesystem>
 #include <fstream>
 
@@ -64,9 +64,7 @@ namespace MixedCracks
       if (!has_run_files(directory))
         names.push_back(run_files_name);
       for (const std::string &name : numbered_files(directory))
-        if (std::find(names.begin(),
-                      names.end(),
-                      name.substr(0, name.find('/') + 1)) != names.end())
+        if (contains(names, name.substr(0, name.find('/') + 1)))
           names.push_back(name);
       for (const std::string &name : checkpoint_files())
         names.push_back(name);
@@ -75,9 +73,7 @@ namespace MixedCracks
       {
         const auto kind      = fs::status(fs::path(directory) / name, error);
         const bool is_folder = name.back() == '/';
-        const bool is_known =
-          is_folder ||
-          std::find(known.begin(), known.end(), name) != known.end();
+        const bool is_known  = is_folder || contains(known, name);
         // a folder in the place of a file would stay there, and the reverse
         if (fs::exists(kind) &&
             (!is_known || fs::is_directory(kind) != is_folder))
@@ -174,7 +170,7 @@ namespace MixedCracks
       if (!begin_run_files(directory, files_of_runs(directory), names))
         throw FileError("Output/Directory: files cannot be written in '" +
                         directory + "'; is the disk full?");
-      if (std::find(names.begin(), names.end(), "fields/") != names.end())
+      if (contains(names, "fields/"))
         make_folder((fs::path(directory) / "fields").string());
     }
 
@@ -185,22 +181,17 @@ namespace MixedCracks
                   const MPI_Comm     communicator,
                   const Body        &body)
     {
-      std::string message;
-      if (dealii::Utilities::MPI::this_mpi_process(communicator) == 0)
+      MixedCracks::on_first_rank(communicator, [&]() {
         try
         {
           body();
         }
-        catch (const FileError &error)
-        {
-          message = error.what();
-        }
         catch (const fs::filesystem_error &error)
         {
-          message = "Output/Directory: '" + directory +
-                    "' cannot be made: " + error.code().message() + ".";
+          throw FileError("Output/Directory: '" + directory +
+                          "' cannot be made: " + error.code().message() + ".");
         }
-      throw_on_all_ranks(message, communicator);
+      });
     }
   } // namespace
 

@@ -21,8 +21,6 @@
 
 #include <output/energy_balance.h>
 
-#include <cmath>
-
 namespace MixedCracks
 {
   StepImbalance

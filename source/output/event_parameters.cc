@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include <base/errors.h>
 #include <base/names.h>
+#include <base/ranges.h>
 #include <base/text.h>
 
 #include <cracks/crack_events.h>
@@ -9,7 +10,6 @@
 
 #include <output/event_parameters.h>
 
-#include <algorithm>
 #include <utility>
 
 namespace MixedCracks
@@ -18,14 +18,6 @@ namespace MixedCracks
 
   namespace
   {
-    bool
-    contains(const std::vector<std::string> &words, const std::string &word)
-    {
-      return std::find(words.begin(), words.end(), word) != words.end();
-    }
-
-
-
     // as the list of parameters is the same in both
     std::vector<std::string>
     kinds_of_both_dimensions()

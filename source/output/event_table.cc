@@ -10,7 +10,6 @@
 #include <deal.II/base/mpi.h>
 
 #include <output/event_table.h>
-#include <output/small_file.h>
 
 #include <cstdlib>
 #include <sstream>
@@ -19,14 +18,6 @@ namespace MixedCracks
 {
   namespace
   {
-    std::string
-    header_in(const int dim)
-    {
-      return std::string("step,time_s,displacement_mm,force_N,event,") +
-             (dim == 2 ? "crack_length_mm,growth_mm,boundary,x_mm,y_mm\n"
-                       : "crack_area_mm2,growth_mm2,boundary,x_mm,y_mm,z_mm\n");
-    }
-
     // of the row; those of the event follow, and of these the place
     constexpr std::size_t n_fields_of_step = 4, n_before_place = 4;
 
@@ -107,28 +98,12 @@ namespace MixedCracks
 
 
 
-  EventTable::EventTable(const std::string     &directory,
-                         const int              dim,
-                         const EventParameters &parameters,
-                         const MPI_Comm         communicator)
-    : name(directory + "/events.csv")
-    , dim(dim)
-    , is_on(!parameters.kinds(dim).empty())
-    , communicator(communicator)
-    , events(dim, parameters.kinds(dim), parameters.size_step(dim))
-  {}
-
-
-
-  void
-  EventTable::write(const std::string &content, const bool append) const
+  std::string
+  EventTable::header(const int dim)
   {
-    std::string message;
-    if (!content.empty() &&
-        dealii::Utilities::MPI::this_mpi_process(communicator) == 0)
-      message = append ? append_to_file(name, content)
-                       : replace_small_file(name, content);
-    throw_on_all_ranks(message, communicator);
+    return std::string("step,time_s,displacement_mm,force_N,event,") +
+           (dim == 2 ? "crack_length_mm,growth_mm,boundary,x_mm,y_mm\n"
+                     : "crack_area_mm2,growth_mm2,boundary,x_mm,y_mm,z_mm\n");
   }
 
 
@@ -146,13 +121,13 @@ namespace MixedCracks
   void
   EventTable::restore(const std::string &earlier)
   {
-    all_rows = earlier.empty() && is_on ? header_in(dim) : earlier;
-    std::istringstream lines(all_rows);
+    std::istringstream lines(earlier);
     std::string        line;
     std::getline(lines, line); // the header
     while (std::getline(lines, line))
       events.remember(event_of(line, dim));
-    write(all_rows, /*append=*/false);
+    if (is_on || !earlier.empty())
+      RestoredTable::restore(earlier);
   }
 
 
@@ -176,8 +151,7 @@ namespace MixedCracks
         if (event.kind != "start")
           lines.push_back("  event: " + in_words(event, dim));
       }
-    all_rows += text;
-    write(text, /*append=*/true);
+    RestoredTable::add(text);
     if (dealii::Utilities::MPI::max(static_cast<int>(lines.size()),
                                     communicator) > 0)
       last_step = row.step();

@@ -12,7 +12,6 @@
 // Steps come out of order, as the peak is written when it is over; lists are
 // sorted by time or step.
 
-#include <base/collective.h>
 #include <base/errors.h>
 
 #include <deal.II/numerics/data_out.h>
@@ -21,6 +20,7 @@
 #include <output/disk.h>
 #include <output/field_output.h>
 #include <output/run_files.h>
+#include <output/small_file.h>
 
 #include <algorithm>
 #include <sstream>
@@ -49,11 +49,7 @@ namespace MixedCracks
       data_out.add_data_vector(fields.elastic, solution, names, kinds);
     }
 
-    bool
-    is_vtu(const std::string &name)
-    {
-      return name.find(".pvtu") != std::string::npos;
-    }
+
 
     // "fields/fields_00012.pvtu": the step is in the name, with five digits or
     // more
@@ -225,26 +221,23 @@ namespace MixedCracks
   void
   FieldOutput<dim>::write_collection() const
   {
-    std::string message;
-    if (Utilities::MPI::this_mpi_process(fields.communicator()) == 0)
-    {
+    on_first_rank(fields.communicator(), [&]() {
       // the peak is written when the force has fallen: keep the list in order
       std::vector<std::pair<double, std::string>> sorted;
       for (const auto &record : times_and_names)
-        if (is_vtu(record.second))
+        if (record.second.find(".pvtu") != std::string::npos)
           sorted.push_back(record);
       std::sort(sorted.begin(), sorted.end());
       std::ostringstream text;
       DataOutBase::write_pvd_record(text, sorted);
       // the old list stays until the new one is whole
-      message = write_durably(directory + "/fields.pvd", text.str());
-    }
-    throw_on_all_ranks(message.empty()
-                         ? ""
-                         : "Output/Directory: the list of fields cannot be "
-                           "written: " +
-                             message + '.',
-                       fields.communicator());
+      const std::string problem =
+        write_durably(directory + "/fields.pvd", text.str());
+      if (!problem.empty())
+        throw FileError(
+          "Output/Directory: the list of fields cannot be written: " + problem +
+          '.');
+    });
   }
 
 

@@ -9,7 +9,6 @@
 
 #include <output/front_opening.h>
 
-#include <algorithm>
 #include <cmath>
 #include <limits>
 

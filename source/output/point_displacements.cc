@@ -53,16 +53,6 @@ namespace MixedCracks
 
 
   template <int dim>
-  PointDisplacements<dim>::PointDisplacements(
-    const Fields<dim>                  &fields,
-    const std::vector<NamedPoint<dim>> &points)
-    : fields(fields)
-    , points(points)
-  {}
-
-
-
-  template <int dim>
   void
   PointDisplacements<dim>::find_in(const Cell &cell)
   {

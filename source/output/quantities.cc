@@ -4,9 +4,10 @@
 // that a new one needs no new format. One that was not asked for in an earlier
 // piece of a run is NaN in its rows, an empty field of the table.
 
+#include <base/ranges.h>
+
 #include <output/quantities.h>
 
-#include <algorithm>
 #include <ostream>
 
 namespace MixedCracks
@@ -31,82 +32,6 @@ namespace MixedCracks
 
 
 
-  Quantity::Quantity(const std::string &name,
-                     const std::string &unit,
-                     const std::string &sentence,
-                     const Evaluation  &evaluate)
-    : name(name)
-    , unit(unit)
-    , sentence(sentence)
-    , evaluate(evaluate)
-  {}
-
-
-
-  Quantity::Quantity(const std::string &name,
-                     const std::string &unit,
-                     const std::string &sentence,
-                     const Derivation  &derive)
-    : name(name)
-    , unit(unit)
-    , sentence(sentence)
-    , derive(derive)
-  {}
-
-
-
-  Quantity
-  Quantity::written_as(const Format how) const
-  {
-    Quantity result = *this;
-    result.format   = how;
-    return result;
-  }
-
-
-
-  Quantity
-  Quantity::in_summary_as(const InSummary place) const
-  {
-    Quantity result = *this;
-    result.summary  = place;
-    return result;
-  }
-
-
-
-  Quantity
-  Quantity::only_in_3d() const
-  {
-    Quantity result = *this;
-    result.has_2d   = false;
-    return result;
-  }
-
-
-
-  Quantity
-  Quantity::only_with(const std::string &parameter) const
-  {
-    Quantity result = *this;
-    result.entry    = parameter;
-    return result;
-  }
-
-
-
-  Quantity
-  Quantity::called_in_3d(const std::string &other_name,
-                         const std::string &other_unit) const
-  {
-    Quantity result   = *this;
-    result.name_in_3d = other_name;
-    result.unit_in_3d = other_unit;
-    return result;
-  }
-
-
-
   std::string
   Quantity::column(const int dim) const
   {
@@ -122,9 +47,7 @@ namespace MixedCracks
   Quantity::has_column(const int                       dim,
                        const std::vector<std::string> &asked) const
   {
-    return (has_2d || dim == 3) &&
-           (entry.empty() ||
-            std::find(asked.begin(), asked.end(), entry) != asked.end());
+    return (has_2d || dim == 3) && (entry.empty() || contains(asked, entry));
   }
 
 

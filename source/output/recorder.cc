@@ -13,11 +13,10 @@
 // those only when the force has fallen, by 2 %: the state is kept until then. A
 // checkpoint does not have it, so that save() writes its fields first.
 
-#include <base/collective.h>
-
 #include <output/mean_stress.h>
 #include <output/quantities.h>
 #include <output/recorder.h>
+#include <output/small_file.h>
 
 namespace MixedCracks
 {
@@ -363,13 +362,12 @@ namespace MixedCracks
   {
     crack_path_writer.finish(summary.cracks);
     crack_sheet_writer.finish(summary.cracks);
-    std::string message;
-    if (Utilities::MPI::this_mpi_process(fields.communicator()) == 0)
-      message = write_summary(options.output.directory + "/summary.json",
-                              summary,
-                              statistics.rows(),
-                              event_table.rows());
-    throw_on_all_ranks(message, fields.communicator());
+    on_first_rank(fields.communicator(), [&]() {
+      write_summary(options.output.directory + "/summary.json",
+                    summary,
+                    statistics.rows(),
+                    event_table.rows());
+    });
   }
 
 

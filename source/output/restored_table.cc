@@ -8,26 +8,17 @@
 
 namespace MixedCracks
 {
-  RestoredTable::RestoredTable(const std::string &name,
-                               const std::string &header,
-                               const MPI_Comm     communicator)
-    : name(name)
-    , header(header)
-    , communicator(communicator)
-  {}
-
-
-
   void
   RestoredTable::write(const std::string &content, const bool append) const
   {
     if (header.empty())
       return;
-    std::string message;
-    if (dealii::Utilities::MPI::this_mpi_process(communicator) == 0)
-      message = append ? append_to_file(name, content)
-                       : replace_small_file(name, content);
-    throw_on_all_ranks(message, communicator);
+    on_first_rank(communicator, [&]() {
+      if (!append)
+        replace_small_file(name, content);
+      else if (!content.empty())
+        append_to_file(name, content);
+    });
   }
 
 

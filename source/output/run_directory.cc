@@ -5,6 +5,7 @@
 
 #include <output/disk.h>
 #include <output/run_directory.h>
+#include <output/small_file.h>
 
 namespace MixedCracks
 {
@@ -13,18 +14,6 @@ namespace MixedCracks
     // bytes: the header of statistics.csv, points of the user's own included
     constexpr std::uint64_t room_for_first_rows = 4096;
   } // namespace
-
-
-
-  RunDirectory::RunDirectory(const OutputParameters &parameters,
-                             const std::string      &effective,
-                             const MPI_Comm          communicator,
-                             Log                    &log)
-    : directory(parameters.directory)
-    , effective_parameters(effective)
-    , communicator(communicator)
-    , log(log)
-  {}
 
 
 
@@ -55,16 +44,13 @@ namespace MixedCracks
                              communicator);
     log.open(directory + "/log.txt", existing == ExistingRun::resume);
     throw_on_all_ranks(log.failure(), communicator);
-    std::string message;
-    if (dealii::Utilities::MPI::this_mpi_process(communicator) == 0)
-    {
+    on_first_rank(communicator, [&]() {
       // a resumed run had them already
       if (!write_durably(directory + "/parameters.prm", effective_parameters)
              .empty())
-        message = "Output/Directory: '" + directory +
-                  "/parameters.prm' cannot be written.";
-    }
-    throw_on_all_ranks(message, communicator);
+        throw FileError("Output/Directory: '" + directory +
+                        "/parameters.prm' cannot be written.");
+    });
     return true;
   }
 

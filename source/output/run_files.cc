@@ -13,10 +13,11 @@
 // have '..' do not count; of a link the link is removed and not what it leads
 // to, and folders only when they are empty.
 
+#include <base/ranges.h>
+
 #include <output/checkpoint_seal.h>
 #include <output/disk.h>
 #include <output/run_files.h>
-#include <output/small_file.h>
 
 #include <algorithm>
 #include <filesystem>
@@ -59,8 +60,7 @@ namespace MixedCracks
     stays_inside(const std::string &name)
     {
       const fs::path path(name);
-      return !name.empty() && path.is_relative() &&
-             std::find(path.begin(), path.end(), "..") == path.end();
+      return !name.empty() && path.is_relative() && !contains(path, "..");
     }
 
     std::vector<std::string>
@@ -93,7 +93,8 @@ namespace MixedCracks
         return true;
       const std::string path = (fs::path(directory) / run_files_name).string();
       remove_cut_line(path);
-      return append_to_file(path, text).empty();
+      std::ofstream file(path, std::ios::app);
+      return static_cast<bool>(file << text << std::flush);
     }
 
     // of names those that are not in the list
@@ -196,8 +197,7 @@ namespace MixedCracks
   {
     static const std::vector<std::string> names = [] {
       std::vector<std::string> all{"seal.txt", "record.txt"};
-      all.insert(
-        all.end(), names_of_libraries().begin(), names_of_libraries().end());
+      append(all, names_of_libraries());
       // and what is left of one that was being written
       for (const char *const left : {"seal.txt.part",
                                      "record.txt.part",

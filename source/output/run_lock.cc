@@ -25,6 +25,7 @@
 
 #include <base/errors.h>
 
+#include <output/disk.h>
 #include <output/run_lock.h>
 #include <output/run_lock_holder.h>
 
@@ -219,7 +220,7 @@ namespace MixedCracks
     const bool        written = replace_file(path, mine);
     std::this_thread::sleep_for(
       std::chrono::duration<double>(options.patience));
-    if (!written || holder_text(path) != mine)
+    if (!written || contents_of_file(path) != mine)
       refuse();
     close(file);
     file = open(path.c_str(), O_RDONLY | O_CLOEXEC);

@@ -5,6 +5,7 @@
 
 #include <base/text.h>
 
+#include <output/disk.h>
 #include <output/run_lock_holder.h>
 #include <sys/stat.h>
 #include <unistd.h>
@@ -76,22 +77,11 @@ namespace MixedCracks
 
 
 
-  std::string
-  holder_text(const std::string &path)
-  {
-    std::ifstream      file(path);
-    std::ostringstream text;
-    text << file.rdbuf();
-    return text.str();
-  }
-
-
-
   LockHolder
   read_holder(const std::string &path)
   {
     LockHolder         holder;
-    std::istringstream text(holder_text(path));
+    std::istringstream text(contents_of_file(path));
     for (std::string line; std::getline(text, line);)
     {
       const auto take = [&line](const std::string &word, std::string &value) {

@@ -5,13 +5,6 @@
 
 namespace MixedCracks
 {
-  RunLog::RunLog(Log &log, const RunLogOptions &options)
-    : log(log)
-    , options(options)
-  {}
-
-
-
   // Time left by load: seconds so far (1 - f)/f at the fraction f of the end
   // time, as if every piece of the load took as long; a crack that runs takes
   // longer.
@@ -125,16 +118,16 @@ namespace MixedCracks
     log.line(format("steps %u, rejected %u, factorisations %u, solves %u, "
                     "%.1f s",
                     last.step(),
-                    summary.rejected_steps,
-                    summary.factorizations,
-                    summary.solves,
-                    summary.wall_time));
+                    summary.cost.rejected_steps,
+                    summary.cost.factorizations,
+                    summary.cost.solves,
+                    summary.cost.wall_time));
     std::string text = format("MB: at most %.0f;", summary.peak_memory);
     for (const auto &[name, megabytes] : summary.memory)
       text += format(" %s %.0f;", name.c_str(), megabytes);
     log.line(text);
     text = "seconds:";
-    for (const auto &[name, seconds] : summary.phases)
+    for (const auto &[name, seconds] : summary.cost.phases)
       text += format(" %s %.2f;", name.c_str(), seconds);
     log.line(text);
   }

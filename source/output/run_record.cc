@@ -13,14 +13,6 @@
 
 namespace MixedCracks
 {
-  template <typename T, typename Structure>
-  using IfIs =
-    std::enable_if_t<std::is_same_v<std::remove_const_t<T>, Structure>, int>;
-
-  // The bindings below name every member of a structure. Where one is added
-  // there, this no longer compiles until it is written and read here. They are
-  // found by the type of their argument, hence not in a namespace of their own.
-
   // Values of a row in the order of the list, but for the crack volume and the
   // displacements at points, which the format has before the size of the
   // cracks.
@@ -46,63 +38,35 @@ namespace MixedCracks
 
 
 
-  template <typename Totals, IfIs<Totals, RunTotals> = 0>
-  static auto
-  members(Totals &totals)
-  {
-    auto &[factorizations, solves, rejected_steps, wall_time, phases] = totals;
-    return std::tie(factorizations, solves, rejected_steps, wall_time, phases);
-  }
+  MIXED_CRACKS_MEMBERS(RunTotals,
+                       factorizations,
+                       solves,
+                       rejected_steps,
+                       wall_time,
+                       phases)
 
-
-
-  template <typename Record, IfIs<Record, RunRecord> = 0>
-  static auto
-  members(Record &record)
-  {
-    auto &[signature,
-           attempt,
-           end,
-           why_failed,
-           cell_size,
-           time,
-           time_step,
-           next_step,
-           peak_force,
-           external_work,
-           peak_step,
-           steps_to_wait,
-           n_refinements,
-           n_overlapping_steps,
-           deepest_overlap,
-           overlap_in_words,
-           changed_loads,
-           totals,
-           rows,
-           field_files,
-           tables] = record;
-    return std::tie(signature,
-                    attempt,
-                    end,
-                    why_failed,
-                    cell_size,
-                    time,
-                    time_step,
-                    next_step,
-                    peak_force,
-                    external_work,
-                    peak_step,
-                    steps_to_wait,
-                    n_refinements,
-                    n_overlapping_steps,
-                    deepest_overlap,
-                    overlap_in_words,
-                    changed_loads,
-                    totals,
-                    rows,
-                    field_files,
-                    tables);
-  }
+  MIXED_CRACKS_MEMBERS(RunRecord,
+                       signature,
+                       attempt,
+                       end,
+                       why_failed,
+                       cell_size,
+                       time,
+                       time_step,
+                       next_step,
+                       peak_force,
+                       external_work,
+                       peak_step,
+                       steps_to_wait,
+                       n_refinements,
+                       n_overlapping_steps,
+                       deepest_overlap,
+                       overlap_in_words,
+                       changed_loads,
+                       totals,
+                       rows,
+                       field_files,
+                       tables)
 
 
 

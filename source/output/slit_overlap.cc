@@ -24,7 +24,6 @@
 #include <output/slit_overlap.h>
 
 #include <algorithm>
-#include <cmath>
 
 namespace MixedCracks
 {
@@ -107,13 +106,6 @@ namespace MixedCracks
       }
     }
   } // namespace
-
-
-
-  template <int dim>
-  SlitOverlap<dim>::SlitOverlap(const Fields<dim> &fields)
-    : fields(fields)
-  {}
 
 
 

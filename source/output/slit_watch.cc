@@ -7,22 +7,6 @@
 namespace MixedCracks
 {
   template <int dim>
-  SlitWatch<dim>::SlitWatch(const Fields<dim> &fields)
-    : overlap(fields)
-  {}
-
-
-
-  template <int dim>
-  void
-  SlitWatch<dim>::reinit()
-  {
-    overlap.reinit();
-  }
-
-
-
-  template <int dim>
   std::string
   SlitWatch<dim>::watch(const State &state)
   {

@@ -10,28 +10,29 @@
 
 namespace MixedCracks
 {
-  std::string
+  void
   replace_small_file(const std::string &name, const std::string &text)
   {
-    return write_durably(name, text).empty() ? "" : cannot_be_written(name);
+    if (!write_durably(name, text).empty())
+      throw cannot_be_written(name);
   }
 
 
 
-  std::string
+  void
   append_to_file(const std::string &name, const std::string &text)
   {
     std::ofstream file(name, std::ios::app);
-    file << text << std::flush;
-    return file ? "" : cannot_be_written(name);
+    if (!(file << text << std::flush))
+      throw cannot_be_written(name);
   }
 
 
 
-  std::string
+  FileError
   cannot_be_written(const std::string &name)
   {
-    return "Output/Directory: '" + name +
-           "' cannot be written; is the disk full?";
+    return FileError("Output/Directory: '" + name +
+                     "' cannot be written; is the disk full?");
   }
 } // namespace MixedCracks

@@ -9,12 +9,12 @@
 // written. A resumed run writes the table anew from its checkpoint, so that a
 // row that was cut off, or is of a step computed again, cannot stay.
 
-#include <base/collective.h>
 #include <base/finite_text.h>
 
 #include <deal.II/base/mpi.h>
 
 #include <output/quantities.h>
+#include <output/small_file.h>
 #include <output/statistics.h>
 
 #include <iomanip>
@@ -22,12 +22,6 @@
 
 namespace MixedCracks
 {
-  StatisticsTable::StatisticsTable(const MPI_Comm communicator)
-    : communicator(communicator)
-  {}
-
-
-
   void
   StatisticsTable::open(const std::string              &file_name,
                         const int                       dim,
@@ -48,17 +42,13 @@ namespace MixedCracks
     n_point_columns    = point_columns.size();
     n_reaction_columns = reaction_columns.size();
     name               = file_name;
-    std::string message;
-    if (dealii::Utilities::MPI::this_mpi_process(communicator) == 0)
-    {
+    on_first_rank(communicator, [&]() {
       file.open(name);
       for (std::size_t i = 0; i < names.size(); ++i)
         file << (i > 0 ? "," : "") << csv_field(names[i]);
-      file << '\n' << std::flush;
-      if (!file)
-        message = "Output/Directory: '" + name + "' cannot be written.";
-    }
-    throw_on_all_ranks(message, communicator);
+      if (!(file << '\n' << std::flush))
+        throw FileError("Output/Directory: '" + name + "' cannot be written.");
+    });
   }
 
 
@@ -109,14 +99,10 @@ namespace MixedCracks
   StatisticsTable::add(const StatisticsRow &row)
   {
     table.push_back(row);
-    std::string message;
-    if (dealii::Utilities::MPI::this_mpi_process(communicator) == 0)
-    {
-      file << line(row) << std::flush;
-      if (!file)
-        message = "Output/Directory: '" + name +
-                  "' cannot be written any more; is the disk full?";
-    }
-    throw_on_all_ranks(message, communicator);
+    on_first_rank(communicator, [&]() {
+      if (!(file << line(row) << std::flush))
+        throw FileError("Output/Directory: '" + name +
+                        "' cannot be written any more; is the disk full?");
+    });
   }
 } // namespace MixedCracks

@@ -6,6 +6,7 @@
 //
 // JSON has no NaN and no infinity: such numbers are null.
 
+#include <base/errors.h>
 #include <base/finite_text.h>
 
 #include <output/disk.h>
@@ -133,7 +134,7 @@ namespace MixedCracks
 
 
 
-  std::string
+  void
   write_summary(const std::string                &file_name,
                 const Summary                    &summary,
                 const std::vector<StatisticsRow> &rows,
@@ -162,11 +163,11 @@ namespace MixedCracks
     json["outcome_start"]     = summary.cracks.start;
     json["exit_reason"]       = summary.exit_reason;
     json["exit_status"]       = summary.exit_status;
-    json["rejected_steps"]    = summary.rejected_steps;
-    json["factorizations"]    = summary.factorizations;
-    json["wall_time_s"]       = number(summary.wall_time);
+    json["rejected_steps"]    = summary.cost.rejected_steps;
+    json["factorizations"]    = summary.cost.factorizations;
+    json["wall_time_s"]       = number(summary.cost.wall_time);
     json["seconds_per_phase"] = Json::object();
-    for (const auto &[name, seconds] : summary.phases)
+    for (const auto &[name, seconds] : summary.cost.phases)
       json["seconds_per_phase"][name] = number(seconds);
     json["peak_memory_MB"]      = number(summary.peak_memory);
     json["memory_MB_per_phase"] = Json::object();
@@ -180,9 +181,8 @@ namespace MixedCracks
     const std::string problem = write_durably(
       file_name,
       json.dump(2, ' ', false, Json::error_handler_t::replace) + '\n');
-    return problem.empty()
-             ? ""
-             : "Output/Directory: the summary cannot be written: " + problem +
-                 '.';
+    if (!problem.empty())
+      throw FileError(
+        "Output/Directory: the summary cannot be written: " + problem + '.');
   }
 } // namespace MixedCracks

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include <base/errors.h>
-#include <base/names.h>
 #include <base/text.h>
 
 #include <deal.II/base/patterns.h>

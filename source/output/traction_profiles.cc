@@ -116,11 +116,11 @@ namespace MixedCracks
   TractionProfiles<dim>::TractionProfiles(const std::string     &directory,
                                           TractionProfileOptions options,
                                           const MPI_Comm         communicator)
-    : options(std::move(options))
-    , communicator(communicator)
-    , table(directory + "/traction_profiles.csv",
-            this->options.boundaries.empty() ? "" : header_of_tractions<dim>(),
-            communicator)
+    : RestoredTable(directory + "/traction_profiles.csv",
+                    options.boundaries.empty() ? ""
+                                               : header_of_tractions<dim>(),
+                    communicator)
+    , options(std::move(options))
   {}
 
 
@@ -148,7 +148,7 @@ namespace MixedCracks
           out << ',' << point[2 * dim + d];
         out << ',' << options.thickness * point[3 * dim] << '\n';
       }
-    table.add(out.str());
+    RestoredTable::add(out.str());
   }
 
 

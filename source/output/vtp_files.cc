@@ -51,7 +51,7 @@ namespace MixedCracks
 
 
 
-  std::string
+  void
   write_vtp_file(const std::string &directory,
                  const std::string &name,
                  const std::string &content)
@@ -61,10 +61,10 @@ namespace MixedCracks
     std::filesystem::create_directories(
       std::filesystem::path(path).parent_path(), ignored);
     if (!note_run_files(directory, {name}))
-      return cannot_be_written(path);
+      throw cannot_be_written(path);
     std::ofstream file(path);
-    file << content << std::flush;
-    return file ? "" : cannot_be_written(path);
+    if (!(file << content << std::flush))
+      throw cannot_be_written(path);
   }
 
 

@@ -23,29 +23,16 @@
 
 #include <deal.II/fe/fe_values.h>
 
+#include <base/ranges.h>
+
 #include <output/watched_boundaries.h>
 
-#include <algorithm>
 #include <map>
 #include <set>
 
 namespace MixedCracks
 {
   using namespace dealii;
-
-  template <int dim>
-  WatchedBoundaries<dim>::WatchedBoundaries(
-    const Fields<dim>                &fields,
-    const Constraints<dim>           &constraints,
-    std::vector<WatchedBoundary<dim>> boundaries,
-    const double                      thickness,
-    const bool                        finite_strain)
-    : fields(fields)
-    , constraints(constraints)
-    , boundaries(std::move(boundaries))
-    , thickness(thickness)
-    , finite_strain(finite_strain)
-  {}
 
 
 
@@ -77,8 +64,7 @@ namespace MixedCracks
       result[d] = IndexSet(fields.elastic.n_dofs());
       std::vector<bool> mask(fields.elastic.get_fe().n_components(), false);
       mask[d] = true;
-      if (!holders.empty() &&
-          std::none_of(boundary.begin(), boundary.end(), [&](const auto id) {
+      if (!holders.empty() && !any_of(boundary, [&](const auto id) {
             return holders.count(id) > 0;
           }))
         result[d] = DoFTools::extract_boundary_dofs(
@@ -233,7 +219,7 @@ namespace MixedCracks
     for (std::size_t b = 0; b < boundaries.size(); ++b)
       for (const auto &values :
            {resultant(b, state), mean_displacement(b, state)})
-        result.insert(result.end(), values.begin(), values.end());
+        append(result, values);
     return result;
   }
 

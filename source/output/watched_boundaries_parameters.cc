@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include <base/coordinates.h>
 #include <base/errors.h>
-#include <base/names.h>
 #include <base/text.h>
 
 #include <deal.II/base/patterns.h>

@@ -17,15 +17,14 @@
 // ranks say whether they have succeeded, and only then rank 0 renames.
 // fields.xdmf comes last.
 
-#include <base/collective.h>
 #include <base/errors.h>
 #include <base/log.h>
 
 #include <output/disk.h>
 #include <output/run_files.h>
+#include <output/small_file.h>
 #include <output/xdmf_output.h>
 
-#include <algorithm>
 #include <cstdlib>
 #include <cstring>
 #include <filesystem>
@@ -51,11 +50,7 @@ namespace MixedCracks
              "/fields'; is the disk full?";
     }
 
-    std::string
-    numbered(const std::string &name, const unsigned int step)
-    {
-      return "fields/" + name + format("_%05u.h5", step);
-    }
+
 
     std::string
     data_item(const std::string      &reference,
@@ -148,15 +143,6 @@ namespace MixedCracks
     return false;
 #endif
   }
-
-
-
-  template <int dim>
-  XdmfOutput<dim>::XdmfOutput(const std::string &directory,
-                              const MPI_Comm     communicator)
-    : directory(directory)
-    , communicator(communicator)
-  {}
 
 
 
@@ -270,7 +256,7 @@ namespace MixedCracks
                                       /*xdmf_hdf5_output=*/true));
     if (has_cells)
       data_out.write_filtered_data(data);
-    const std::string solution_file = numbered("fields", step);
+    const std::string solution_file = format("fields/fields_%05u.h5", step);
     write_hdf5(data_out, data, has_cells, solution_file);
 
     const unsigned long int n_nodes = Utilities::MPI::sum<unsigned long int>(
@@ -295,9 +281,7 @@ namespace MixedCracks
   void
   XdmfOutput<dim>::write_list() const
   {
-    std::string message;
-    if (Utilities::MPI::this_mpi_process(communicator) == 0)
-    {
+    on_first_rank(communicator, [&]() {
       std::string text = "<?xml version=\"1.0\"?>\n"
                          "<Xdmf Version=\"2.0\">\n<Domain>\n"
                          "<Grid Name=\"steps\" GridType=\"Collection\" "
@@ -306,9 +290,8 @@ namespace MixedCracks
         text += grid.second;
       text += "</Grid>\n</Domain>\n</Xdmf>\n";
       if (!write_whole(directory + "/fields.xdmf", text))
-        message = failure(directory);
-    }
-    throw_on_all_ranks(message, communicator);
+        throw FileError(failure(directory));
+    });
   }
 
 

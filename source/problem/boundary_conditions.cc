@@ -28,14 +28,13 @@
 
 #include <base/errors.h>
 #include <base/names.h>
+#include <base/ranges.h>
 #include <base/text.h>
 
 #include <deal.II/base/patterns.h>
 
 #include <problem/boundary_conditions.h>
 #include <problem/boundary_entries.h>
-
-#include <algorithm>
 
 namespace MixedCracks
 {
@@ -62,9 +61,7 @@ namespace MixedCracks
                        const std::string                  &parameter)
     {
       for (const PointEntry<dim> &entry : entries)
-        if (!entry.set.empty() &&
-            std::find(point_sets.begin(), point_sets.end(), entry.set) ==
-              point_sets.end())
+        if (!entry.set.empty() && !contains(point_sets, entry.set))
           throw InputError(parameter + ": found '" + entry.set +
                            "', allowed is a point of " + std::to_string(dim) +
                            " numbers, as '" + (dim == 2 ? "0, 1" : "0, 1, 2") +

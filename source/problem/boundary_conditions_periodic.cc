@@ -4,10 +4,9 @@
 // cell of the pattern, too.
 
 #include <base/errors.h>
+#include <base/ranges.h>
 
 #include <problem/boundary_conditions.h>
-
-#include <algorithm>
 
 namespace MixedCracks
 {
@@ -29,9 +28,7 @@ namespace MixedCracks
       const BoundaryIds &ids = boundaries.at(name);
       for (const PeriodicPair &pair : pairs)
         for (const BoundaryIds &side : pair.sides)
-          if (std::any_of(ids.begin(), ids.end(), [&side](const auto id) {
-                return side.contains(id);
-              }))
+          if (any_of(ids, [&side](const auto id) { return side.contains(id); }))
             throw InputError("Boundary conditions/" + entry + ": found '" +
                              name +
                              "', which is one of Geometry/Periodic sides. "

@@ -42,44 +42,25 @@ namespace MixedCracks
     }
 
     std::string
-    read_plain_pixels(const std::string &text,
-                      std::size_t        position,
-                      const std::size_t  white,
-                      Picture           &picture)
+    read_pixels(const std::string &text,
+                std::size_t        position,
+                const bool         is_plain,
+                const std::size_t  white,
+                Picture           &picture)
     {
+      // of a raw pixel, the high one first; one blank ends the head
+      const std::size_t n_bytes = white < 256 ? 1 : 2;
+      if (!is_plain &&
+          text.size() < ++position + n_bytes * picture.values.size())
+        return "ends before its last pixel";
       for (double &value : picture.values)
       {
         std::size_t number = 0;
-        if (!next_integer(text, position, number))
+        if (is_plain && !next_integer(text, position, number))
           return "ends before its last pixel, or holds something else than "
                  "integers";
-        if (number > white)
-          return "has a pixel of " + std::to_string(number) +
-                 ", more than its white, " + std::to_string(white);
-        value = double(number) / double(white);
-      }
-      return "";
-    }
-
-    std::string
-    read_raw_pixels(const std::string &text,
-                    std::size_t        position,
-                    const std::size_t  white,
-                    Picture           &picture)
-    {
-      const std::size_t n_bytes = white < 256 ? 1 : 2; // the high one first
-      ++position; // one blank ends the head
-      if (text.size() < position + n_bytes * picture.values.size())
-        return "ends before its last pixel";
-      const auto byte = [&]() {
-        return static_cast<std::size_t>(
-          static_cast<unsigned char>(text[position++]));
-      };
-      for (double &value : picture.values)
-      {
-        std::size_t number = byte();
-        if (n_bytes == 2)
-          number = 256 * number + byte();
+        for (std::size_t i = 0; !is_plain && i < n_bytes; ++i)
+          number = 256 * number + static_cast<unsigned char>(text[position++]);
         if (number > white)
           return "has a pixel of " + std::to_string(number) +
                  ", more than its white, " + std::to_string(white);
@@ -127,7 +108,6 @@ namespace MixedCracks
     if (text.size() - position < picture.width * picture.height)
       return "ends before its last pixel";
     picture.values.resize(picture.width * picture.height);
-    return kind == "P2" ? read_plain_pixels(text, position, white, picture)
-                        : read_raw_pixels(text, position, white, picture);
+    return read_pixels(text, position, kind == "P2", white, picture);
   }
 } // namespace MixedCracks

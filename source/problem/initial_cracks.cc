@@ -272,26 +272,8 @@ namespace MixedCracks
 
 
 
-  // To begin + s (end - begin), the nearest point of the segment: s = (point -
-  // begin) . axis/|axis|^2, but within 0 and 1.
-  template <int dim>
-  double
-  distance(const Point<dim> &point, const Segment<dim> &segment)
-  {
-    const Tensor<1, dim> axis    = segment.end - segment.begin;
-    const double         squared = axis.norm_square();
-    double               along   = 0.;
-    if (squared > 0.)
-      along = std::clamp((point - segment.begin) * axis / squared, 0., 1.);
-    return point.distance(segment.begin + along * axis);
-  }
-
-
-
   template struct InitialCracks<2>;
   template struct InitialCracks<3>;
   template class InitialPhaseField<2>;
   template class InitialPhaseField<3>;
-  template double distance(const Point<2> &, const Segment<2> &);
-  template double distance(const Point<3> &, const Segment<3> &);
 } // namespace MixedCracks

@@ -10,12 +10,12 @@
 //   Ogden: mu_i and alpha_i together, (mu_1, alpha_1) at least.
 
 #include <base/names.h>
+#include <base/ranges.h>
 #include <base/text.h>
 
 #include <problem/geometries/checks.h>
 #include <problem/law_constants.h>
 
-#include <algorithm>
 #include <cmath>
 
 namespace MixedCracks
@@ -41,12 +41,6 @@ namespace MixedCracks
     const Names volumetric_names = {"Lame lambda",
                                     "Bulk modulus",
                                     "Poisson ratio"};
-
-    bool
-    contains(const Names &names, const std::string &name)
-    {
-      return std::find(names.begin(), names.end(), name) != names.end();
-    }
 
     Names
     those_in(const Names &given, const Names &names)

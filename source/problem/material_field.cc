@@ -11,6 +11,7 @@
 #include <base/coordinates.h>
 #include <base/errors.h>
 #include <base/names.h>
+#include <base/ranges.h>
 #include <base/text.h>
 
 #include <problem/geometries/checks.h>
@@ -36,10 +37,9 @@ namespace MixedCracks
     bool
     uses_variables(const Expression &expression)
     {
-      return std::any_of(
-        variable_names.begin(),
-        variable_names.end(),
-        [&](const std::string &name) { return expression.uses(name); });
+      return any_of(variable_names, [&](const std::string &name) {
+        return expression.uses(name);
+      });
     }
   } // namespace
 
@@ -80,10 +80,9 @@ namespace MixedCracks
     }
     is_of_law = law.is_used_by(given);
     // values are none of the business of a set that may not be used at all
-    const bool has_elasticity =
-      std::any_of(given.begin(), given.end(), [&](const std::string &name) {
-        return elastic_members.count(name) > 0 || law.is_own(name);
-      });
+    const bool has_elasticity = any_of(given, [&](const std::string &name) {
+      return elastic_members.count(name) > 0 || law.is_own(name);
+    });
     if (is_of_law && has_elasticity)
       law.check_names(given, where);
     if (!any_varies && has_elasticity)
@@ -95,7 +94,7 @@ namespace MixedCracks
   bool
   MaterialConstants::uses_map() const
   {
-    return std::any_of(entries.begin(), entries.end(), [](const Entry &entry) {
+    return any_of(entries, [](const Entry &entry) {
       return entry.expression && entry.expression->uses("map");
     });
   }
@@ -186,15 +185,6 @@ namespace MixedCracks
                       texts,
                       "Material/By material id: " + std::to_string(id) + ": ",
                       parameters.strains()));
-  }
-
-
-
-  template <int dim>
-  bool
-  MaterialField<dim>::varies() const
-  {
-    return !by_id.empty() || elsewhere.varies();
   }
 
 

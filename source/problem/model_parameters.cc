@@ -122,24 +122,17 @@ namespace MixedCracks
       return Expression(text, {"h"}, parameter).uses("h");
     }
 
+    // @p allowed in words
     double
     evaluate_in_h(const std::string &text,
                   const std::string &parameter,
-                  const double       h)
+                  const double       h,
+                  bool (*const is_allowed)(double value),
+                  const std::string &allowed)
     {
-      return Expression(text, {"h"}, parameter)({h});
-    }
-
-    void
-    require_in_range(const bool         in_range,
-                     const std::string &text,
-                     const std::string &parameter,
-                     const double       value,
-                     const double       h,
-                     const std::string &allowed)
-    {
-      if (in_range)
-        return;
+      const double value = Expression(text, {"h"}, parameter)({h});
+      if (is_allowed(value))
+        return value;
       std::ostringstream message;
       message << parameter << ": '" << text << "' is " << value;
       if (depends_on_h(text, parameter))
@@ -233,14 +226,12 @@ namespace MixedCracks
   double
   ModelParameters::evaluate_length_scale(const double h) const
   {
-    const double value = evaluate_in_h(length_scale, length_scale_name, h);
-    require_in_range(value > 0.,
-                     length_scale,
-                     length_scale_name,
-                     value,
-                     h,
-                     "a positive number");
-    return value;
+    return evaluate_in_h(
+      length_scale,
+      length_scale_name,
+      h,
+      [](const double value) { return value > 0.; },
+      "a positive number");
   }
 
 
@@ -248,15 +239,12 @@ namespace MixedCracks
   double
   ModelParameters::evaluate_residual_stiffness(const double h) const
   {
-    const double value =
-      evaluate_in_h(residual_stiffness, residual_stiffness_name, h);
-    require_in_range(value >= 0. && value < 1.,
-                     residual_stiffness,
-                     residual_stiffness_name,
-                     value,
-                     h,
-                     "a number from 0, and below 1");
-    return value;
+    return evaluate_in_h(
+      residual_stiffness,
+      residual_stiffness_name,
+      h,
+      [](const double value) { return value >= 0. && value < 1.; },
+      "a number from 0, and below 1");
   }
 
 

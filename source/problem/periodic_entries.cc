@@ -3,7 +3,6 @@
 // two. A face may have several names, but one partner only.
 
 #include <base/errors.h>
-#include <base/names.h>
 #include <base/text.h>
 
 #include <problem/periodic_entries.h>

@@ -2,6 +2,7 @@
 // Which names there are at small and at finite strain: those of the lists of
 // model/, each of which is about one of them.
 #include <base/names.h>
+#include <base/ranges.h>
 
 #include <deal.II/base/patterns.h>
 
@@ -14,20 +15,12 @@
 #include <problem/geometries/checks.h>
 #include <problem/strain_parameters.h>
 
-#include <algorithm>
-
 namespace MixedCracks
 {
   namespace Patterns = dealii::Patterns;
 
   namespace
   {
-    bool
-    has_name(const std::vector<std::string> &names, const std::string &name)
-    {
-      return std::find(names.begin(), names.end(), name) != names.end();
-    }
-
     // those of small strains first, then what only finite strain has
     template <typename Small, typename Finite>
     std::vector<StrainChoice>
@@ -38,9 +31,9 @@ namespace MixedCracks
         choices.push_back({name,
                            small.description(name),
                            true,
-                           has_name(finite.names(), name)});
+                           contains(finite.names(), name)});
       for (const std::string &name : finite.names())
-        if (!has_name(small.names(), name))
+        if (!contains(small.names(), name))
           choices.push_back({name, finite.description(name), false, true});
       return choices;
     }
@@ -63,7 +56,7 @@ namespace MixedCracks
     {
       const std::vector<std::string> names =
         names_for(choices, strains.is_finite());
-      require(has_name(names, found),
+      require(contains(names, found),
               entry + ": found '" + found +
                 "' with Model/Strains = " + strains.strains_name +
                 ". Allowed there: " + join_names(names) + ".");
@@ -181,7 +174,7 @@ namespace MixedCracks
     for (const std::string &name : all_hyperelastic_laws().names())
       if (all_hyperelastic_laws().make(name, {})->is_sum_over_stretches())
         sums.push_back(name);
-    require(has_name(sums, law),
+    require(contains(sums, law),
             "Model/Energy split: found 'principal stretches' with "
             "Model/Hyperelastic law = " +
               law +

@@ -7,11 +7,11 @@
 
 #include <input/case_signature.h>
 #include <input/dimension.h>
-#include <input/parameter_file.h>
 #include <input/parameter_manual.h>
 
 #include <output/directory.h>
 #include <output/run_lock.h>
+#include <output/small_file.h>
 
 #include <simulation/case_identity.h>
 #include <simulation/simulation.h>
@@ -41,17 +41,9 @@ namespace MixedCracks
     lock_output(const std::string &directory)
     {
       std::unique_ptr<const RunLock> lock;
-      std::string                    message;
-      if (on_first_rank())
-        try
-        {
-          lock = std::make_unique<const RunLock>(directory);
-        }
-        catch (const FileError &error)
-        {
-          message = error.what();
-        }
-      throw_on_all_ranks(message, MPI_COMM_WORLD);
+      on_first_rank(MPI_COMM_WORLD, [&]() {
+        lock = std::make_unique<const RunLock>(directory);
+      });
       if (lock && !lock->warning().empty())
         std::cerr << "mixed-cracks: warning: " << lock->warning() << '.'
                   << std::endl;

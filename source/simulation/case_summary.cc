@@ -53,17 +53,13 @@ namespace MixedCracks
     summary.cracks              = end.cracks;
     summary.separated           = separates(end.cracks);
     summary.without_equilibrium = end.end == RunEnd::no_equilibrium;
-    summary.force_fell     = recorder.last().force_size() < end.fallen_force;
-    summary.exit_reason    = end.outcome.reason;
-    summary.exit_status    = end.outcome.exit_status;
-    summary.rejected_steps = end.cost.rejected_steps;
-    summary.factorizations = end.cost.factorizations;
-    summary.solves         = end.cost.solves;
-    summary.wall_time      = end.cost.wall_time;
-    summary.phases         = end.cost.phases;
-    summary.memory         = end.memory;
-    summary.peak_memory    = end.peak_memory;
-    summary.warnings       = before_the_run.warnings();
+    summary.force_fell  = recorder.last().force_size() < end.fallen_force;
+    summary.exit_reason = end.outcome.reason;
+    summary.exit_status = end.outcome.exit_status;
+    summary.cost        = end.cost;
+    summary.memory      = end.memory;
+    summary.peak_memory = end.peak_memory;
+    summary.warnings    = before_the_run.warnings();
     for (const std::string &warning :
          {recorder.slits().warning(),
           damage_warning(body, recorder.rows(), end.end),

@@ -59,13 +59,6 @@ namespace MixedCracks
 
 
   template <int dim>
-  MeshAdaptation<dim>::MeshAdaptation(Body<dim> &body)
-    : body(body)
-  {}
-
-
-
-  template <int dim>
   AdaptationRule
   MeshAdaptation<dim>::rule(const bool in_load_step) const
   {

@@ -3,9 +3,10 @@
 // one of them. They run before there is a mesh; those that need one come with
 // it (simulation_setup.cc, case_checks.cc).
 
+#include <base/ranges.h>
+
 #include <simulation/parameters.h>
 
-#include <algorithm>
 #include <limits>
 
 namespace MixedCracks
@@ -136,12 +137,10 @@ namespace MixedCracks
 
     std::vector<std::string> prescribed;
     for (const auto &entry : boundary_conditions.displacements())
-      if (entry.component != dim &&
-          std::find(prescribed.begin(), prescribed.end(), entry.boundary) ==
-            prescribed.end())
+      if (entry.component != dim && !contains(prescribed, entry.boundary))
         prescribed.push_back(entry.boundary);
     for (const PeriodicPair &pair : pairs)
-      prescribed.insert(prescribed.end(), pair.names.begin(), pair.names.end());
+      append(prescribed, pair.names);
     const std::string force = force_boundary();
     if (prescribed.empty() && !force.empty())
       throw InputError("Load stepping/Force boundary: found '" + force +
@@ -150,8 +149,7 @@ namespace MixedCracks
                        "the points that move.");
     if (force.empty())
       return;
-    if (std::find(prescribed.begin(), prescribed.end(), force) ==
-        prescribed.end())
+    if (!contains(prescribed, force))
       throw InputError("Load stepping/Force boundary: " +
                        unknown_name_message(force, prescribed) +
                        " These are the boundaries with prescribed "

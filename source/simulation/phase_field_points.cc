@@ -39,14 +39,6 @@ namespace MixedCracks
 
 
   template <int dim>
-  PhaseFieldPoints<dim>::PhaseFieldPoints(
-    const BoundaryConditions<dim> &conditions)
-    : entries(conditions.point_phase_fields())
-  {}
-
-
-
-  template <int dim>
   void
   PhaseFieldPoints<dim>::reinit(const Fields<dim>      &fields,
                                 const Constraints<dim> &constraints)

@@ -95,14 +95,6 @@ namespace MixedCracks
 
 
   template <int dim>
-  Preflight<dim>::Preflight(const Body<dim> &body, Log &log)
-    : body(body)
-    , log(log)
-  {}
-
-
-
-  template <int dim>
   void
   Preflight<dim>::report(const std::vector<SlitFace<dim>> &slits,
                          const std::vector<std::string>   &earlier)

@@ -26,13 +26,6 @@ namespace MixedCracks
 
 
 
-  RubberBar::RubberBar(const MaterialDescription &description)
-    : law(description)
-    , constants(description.constants.value())
-  {}
-
-
-
   double
   RubberBar::energy(const double stretch) const
   {

@@ -6,32 +6,12 @@
 // parallel::distributed::Triangulation restores the mesh on any number of ranks
 // from the coarse mesh, which is made anew from the .prm.
 
+#include <base/ranges.h>
+
 #include <simulation/run_archive.h>
 
 namespace MixedCracks
 {
-  template <int dim>
-  RunArchive<dim>::RunArchive(const CaseSignature &signature,
-                              Body<dim>           &body,
-                              CrackObserver<dim>  &crack_observer,
-                              LoadControl         &load_control,
-                              Recorder<dim>       &recorder,
-                              RunStop             &stop,
-                              PhaseTimer          &timer,
-                              Log                 &log)
-    : signature(signature)
-    , body(body)
-    , crack_observer(crack_observer)
-    , load_control(load_control)
-    , recorder(recorder)
-    , stop(stop)
-    , timer(timer)
-    , log(log)
-    , checkpoint(body.parameters.output.directory, body.communicator())
-  {}
-
-
-
   template <int dim>
   void
   RunArchive<dim>::read()
@@ -72,19 +52,8 @@ namespace MixedCracks
     if (!damage.empty())
       result.push_back(damage);
     if (resumed)
-      result.insert(result.end(),
-                    resumed->changed_loads.begin(),
-                    resumed->changed_loads.end());
+      append(result, resumed->changed_loads);
     return result;
-  }
-
-
-
-  template <int dim>
-  void
-  RunArchive<dim>::restore_body()
-  {
-    body.restore(checkpoint, resumed->cell_size);
   }
 
 

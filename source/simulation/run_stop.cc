@@ -22,16 +22,6 @@ namespace MixedCracks
 
 
 
-  RunStop::RunStop(const MPI_Comm communicator,
-                   const double   wall_time_limit,
-                   Log           &log)
-    : wall_time_limit(wall_time_limit)
-    , poll(communicator, wall_time_limit)
-    , log(log)
-  {}
-
-
-
   void
   RunStop::begin(const bool resumed)
   {

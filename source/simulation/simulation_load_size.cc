@@ -115,6 +115,14 @@ namespace MixedCracks
       largest         = std::max(largest, size.value_or(0.));
       result.is_known = result.is_known && size.has_value();
     };
+    const auto size_at_points = [&](const PointEntry<dim> &entry) {
+      return size_of<dim>(
+        entry.component,
+        entry.expression,
+        nullptr,
+        entry.set.empty() ? std::vector<Point<dim>>{entry.point} : places,
+        time);
+    };
     for (unsigned int d = 0; d < dim; ++d)
       extent = std::max(extent, body.side_length(d));
     for (const auto &entry : given.displacements())
@@ -123,13 +131,7 @@ namespace MixedCracks
             size_of<dim>(
               entry.component, entry.expression, entry.rotation, places, time));
     for (const auto &entry : given.point_displacements())
-      add(displacement,
-          size_of<dim>(entry.component,
-                       entry.expression,
-                       nullptr,
-                       entry.set.empty() ? std::vector<Point<dim>>{entry.point}
-                                         : places,
-                       time));
+      add(displacement, size_at_points(entry));
     result.strain = displacement / extent;
     add(result.strain, mean_strain_size(parameters, time));
     for (const auto &[boundary, traction] : given.tractions(dim))
@@ -148,13 +150,7 @@ namespace MixedCracks
     for (const auto &entry : given.point_forces())
     {
       double stress = 0.;
-      add(stress,
-          size_of<dim>(entry.component,
-                       entry.expression,
-                       nullptr,
-                       entry.set.empty() ? std::vector<Point<dim>>{entry.point}
-                                         : places,
-                       time));
+      add(stress, size_at_points(entry));
       result.points = std::max(result.points, stress / area);
     }
     if (const auto pressure = parameters.fluid.pressure())

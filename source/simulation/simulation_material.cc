@@ -7,6 +7,7 @@
 
 #include <base/log.h>
 
+#include <simulation/simulation_load_size.h>
 #include <simulation/simulation_material.h>
 
 #include <limits>
@@ -17,22 +18,6 @@ namespace MixedCracks
 
   namespace
   {
-    // The cells of the coarse mesh: every rank has all of them.
-    template <int dim>
-    std::pair<BoundingBox<dim>, std::set<types::material_id>>
-    coarse_extent_and_ids(const Triangulation<dim> &triangulation)
-    {
-      std::vector<Point<dim>>      points;
-      std::set<types::material_id> ids;
-      for (const auto &cell : triangulation.cell_iterators_on_level(0))
-      {
-        for (const unsigned int v : cell->vertex_indices())
-          points.push_back(cell->vertex(v));
-        ids.insert(cell->material_id());
-      }
-      return {BoundingBox<dim>(points), ids};
-    }
-
     void
     widen(Range &range, const double value)
     {
@@ -56,11 +41,15 @@ namespace MixedCracks
   make_material_field(const MaterialParameters &parameters,
                       const Triangulation<dim> &triangulation)
   {
-    const auto [extent, ids] = coarse_extent_and_ids(triangulation);
+    // every rank has all cells of the coarse mesh
+    std::set<types::material_id> ids;
+    for (const auto &cell : triangulation.cell_iterators_on_level(0))
+      ids.insert(cell->material_id());
     std::shared_ptr<const GridData> map;
     if (parameters.map.given())
-      map = read_material_map<dim>(
-        parameters.map, extent, triangulation.get_communicator());
+      map = read_material_map<dim>(parameters.map,
+                                   coarse_extent(triangulation),
+                                   triangulation.get_communicator());
     MaterialField<dim> field(parameters, map);
     field.check_ids(ids);
     return field;

@@ -8,13 +8,10 @@
 
 #include <deal.II/grid/grid_tools.h>
 
-#include <discretization/refinement.h>
-
 #include <simulation/simulation_setup.h>
 
 #include <array>
 #include <cmath>
-#include <limits>
 #include <utility>
 
 namespace MixedCracks

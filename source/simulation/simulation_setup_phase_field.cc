@@ -86,14 +86,12 @@ namespace MixedCracks
       std::vector<int>             breaks(phase_field.names().size(), 0);
       values = 1.;
       together(fields.communicator(), [&]() {
-        for_each_node(fields,
-                      [&](const types::global_dof_index dof,
-                          const Point<dim>             &position,
-                          const double                  size) {
-                        values(dof) = std::min<double>(
-                          values(dof), phase_field.value(position, size));
-                        phase_field.note_broken(position, size, breaks);
-                      });
+        for_each_node(
+          fields, [&](const auto dof, const auto &position, const double size) {
+            values(dof) =
+              std::min<double>(values(dof), phase_field.value(position, size));
+            phase_field.note_broken(position, size, breaks);
+          });
       });
       require_broken_nodes(phase_field.names(), breaks, fields);
     }
@@ -132,9 +130,7 @@ namespace MixedCracks
     LinearAlgebra::Vector values = fields.owned_vector(fields.phase_field_dofs);
     set_initial_cracks(parameters.initial_cracks, fields, values);
     for_each_node(fields,
-                  [&](const types::global_dof_index dof,
-                      const Point<dim>             &position,
-                      const double                  size) {
+                  [&](const auto dof, const auto &position, const double size) {
                     // slits are mesh lines; cracks need not be
                     for (const FlatPiece<dim> &slit : slits)
                       if (distance(position, slit) <= 1e-6 * size)
@@ -273,13 +269,11 @@ namespace MixedCracks
     const UnbreakableMaterial<dim> unbreakable(
       parameters, fields.phase_field.get_triangulation());
     if (!unbreakable.is_empty())
-      for_each_node(fields,
-                    [&](const types::global_dof_index dof,
-                        const Point<dim>             &position,
-                        const double                  size) {
-                      if (unbreakable.contains(position, size))
-                        frozen.add_index(dof);
-                    });
+      for_each_node(
+        fields, [&](const auto dof, const auto &position, const double size) {
+          if (unbreakable.contains(position, size))
+            frozen.add_index(dof);
+        });
     return frozen;
   }
 

@@ -29,14 +29,6 @@ namespace MixedCracks
 
 
 
-  StopPoll::StopPoll(const MPI_Comm communicator, const double wall_time_limit)
-    : communicator(communicator)
-    , start(Clock::now())
-    , budget(wall_time_limit)
-  {}
-
-
-
   double
   StopPoll::now() const
   {

@@ -14,12 +14,6 @@
 
 namespace MixedCracks
 {
-  WallTimeBudget::WallTimeBudget(const double limit)
-    : given_limit(limit)
-  {}
-
-
-
   void
   WallTimeBudget::note_step(const double duration)
   {

@@ -48,13 +48,6 @@ namespace MixedCracks
 
 
 
-  FixedPointAcceleration::FixedPointAcceleration(
-    const FixedPointOptions &options)
-    : options(options)
-  {}
-
-
-
   void
   FixedPointAcceleration::restart()
   {

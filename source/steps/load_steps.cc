@@ -20,7 +20,6 @@
 
 #include <steps/load_steps.h>
 
-#include <algorithm>
 #include <limits>
 
 namespace MixedCracks
@@ -79,36 +78,16 @@ namespace MixedCracks
       }
     }
 
-    void
-    require_order(const std::string        &smaller_name,
-                  const double              smaller,
-                  const std::string        &larger_name,
-                  const double              larger,
-                  std::vector<std::string> &problems)
+    // The shortest and the longest; infinity and 0 where there is none
+    std::pair<double, double>
+    range_of(const std::vector<ScheduledStep> &schedule)
     {
-      if (smaller > 0. && larger > 0. && smaller > larger)
-        problems.push_back(subsection + smaller_name +
-                           format(": %.6g s is larger than ", smaller) +
-                           subsection + larger_name +
-                           format(", %.6g s. It must not be.", larger));
-    }
-
-    double
-    longest_scheduled(const std::vector<ScheduledStep> &schedule)
-    {
-      double longest = 0.;
+      std::pair<double, double> range(std::numeric_limits<double>::infinity(),
+                                      0.);
       for (const ScheduledStep &entry : schedule)
-        longest = std::max(longest, entry.step);
-      return longest;
-    }
-
-    double
-    shortest_scheduled(const std::vector<ScheduledStep> &schedule)
-    {
-      double shortest = std::numeric_limits<double>::infinity();
-      for (const ScheduledStep &entry : schedule)
-        shortest = std::min(shortest, entry.step);
-      return shortest;
+        range = {std::min(range.first, entry.step),
+                 std::max(range.second, entry.step)};
+      return range;
     }
   } // namespace
 
@@ -152,7 +131,11 @@ namespace MixedCracks
                              const double       smaller,
                              const std::string &larger_name,
                              const double       larger) {
-      require_order(smaller_name, smaller, larger_name, larger, problems);
+      if (smaller > 0. && larger > 0. && smaller > larger)
+        problems.push_back(subsection + smaller_name +
+                           format(": %.6g s is larger than ", smaller) +
+                           subsection + larger_name +
+                           format(", %.6g s. It must not be.", larger));
     };
     require("Smallest step", given.smallest, "Onset step", given.onset);
     require("Onset step", given.onset, "Largest step", given.largest);
@@ -182,11 +165,12 @@ namespace MixedCracks
     , rounding_of_time(digits_of_time * given.end_time)
   {
     const double shortest = shortest_step * given.end_time;
+    const auto [shortest_scheduled, longest_scheduled] = range_of(schedule);
     if (largest == 0.)
     {
       const bool scheduled = !schedule.empty() && schedule.front().time == 0.;
       largest              = std::max({scheduled ? 0. : 0.1 * given.end_time,
-                          longest_scheduled(schedule),
+                          longest_scheduled,
                           first,
                           onset,
                           smallest});
@@ -203,7 +187,7 @@ namespace MixedCracks
     {
       onset =
         std::max(std::min(std::max(0.1 * largest, std::min(shortest, largest)),
-                          shortest_scheduled(schedule)),
+                          shortest_scheduled),
                  smallest);
       derived.push_back("onset");
     }
@@ -211,7 +195,7 @@ namespace MixedCracks
     {
       smallest = std::min({std::max(0.01 * onset, std::min(shortest, onset)),
                            first,
-                           shortest_scheduled(schedule)});
+                           shortest_scheduled});
       derived.push_back("smallest");
     }
   }

@@ -29,7 +29,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace MixedCracks
 {
@@ -65,27 +64,6 @@ namespace MixedCracks
     // iteration to the next; of the force below which the run ends.
     constexpr double steady_force = 0.05;
   } // namespace
-
-
-
-  template <int dim>
-  StepSolver<dim>::StepSolver(ElasticStep<dim>      &elastic,
-                              PhaseFieldStep<dim>   &phase_field,
-                              const CouplingOptions &options,
-                              const NewtonOptions   &newton_options,
-                              Callbacks              callbacks,
-                              const MPI_Comm         communicator,
-                              Log                   &log)
-    : elastic(elastic)
-    , phase_field(phase_field)
-    , options(options)
-    , newton_options(newton_options)
-    , callbacks(std::move(callbacks))
-    , communicator(communicator)
-    , log(log)
-    , acceleration(options.acceleration)
-    , retreat(elastic)
-  {}
 
 
 

@@ -25,8 +25,6 @@
 
 #include <steps/step_phase_field.h>
 
-#include <algorithm>
-
 namespace MixedCracks
 {
   using namespace dealii;

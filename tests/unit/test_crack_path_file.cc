@@ -2,6 +2,8 @@
 // What is written about cracks, and what a resumed run keeps of it.
 #include "files_of_test.h"
 
+#include <base/errors.h>
+
 #include <output/crack_path_file.h>
 
 #include <gtest/gtest.h>
@@ -51,9 +53,9 @@ namespace
 
 TEST_F(CrackPathFiles, HoldARowPerPoint)
 {
-  EXPECT_EQ(file.add(1, 0.05, 0.01, {}), "");
+  file.add(1, 0.05, 0.01, {});
   EXPECT_EQ(content("crack_path.csv"), header);
-  EXPECT_EQ(file.add(2, 0.1, 0.02, {crack_to(4.5)}), "");
+  file.add(2, 0.1, 0.02, {crack_to(4.5)});
   EXPECT_EQ(content("crack_path.csv"), header + rows_of_step_2);
 }
 
@@ -65,7 +67,7 @@ TEST_F(CrackPathFiles, LeaveOutAnAngleThatIsNone)
   crack.start      = {};
   crack.end        = {CrackEnd::Kind::boundary, "right"};
   crack.kink_angle = std::numeric_limits<double>::quiet_NaN();
-  EXPECT_EQ(file.add(2, 0.1, 0.02, {crack}), "");
+  file.add(2, 0.1, 0.02, {crack});
   EXPECT_EQ(count("crack_path.csv", ",1.5,,,right,4.5,"), 2u);
 }
 
@@ -73,15 +75,15 @@ TEST_F(CrackPathFiles, LeaveOutAnAngleThatIsNone)
 
 TEST_F(CrackPathFiles, AreNotWrittenForPathsThatStay)
 {
-  EXPECT_EQ(file.add(2, 0.1, 0.02, {crack_to(4.5)}), "");
-  EXPECT_EQ(file.add(3, 0.2, 0.03, {crack_to(4.52)}), "");
+  file.add(2, 0.1, 0.02, {crack_to(4.5)});
+  file.add(3, 0.2, 0.03, {crack_to(4.52)});
   EXPECT_EQ(content("crack_path.csv"), header + rows_of_step_2);
   EXPECT_FALSE(
     std::filesystem::exists(directory + "/crack_path/crack_path_000003.vtp"));
   // more than the tolerance from what was written, though not from step 3
-  EXPECT_EQ(file.add(4, 0.3, 0.04, {crack_to(4.54)}), "");
+  file.add(4, 0.3, 0.04, {crack_to(4.54)});
   EXPECT_EQ(count("crack_path.csv", "\n4,"), 2u);
-  EXPECT_EQ(file.add(5, 0.4, 0.05, {crack_to(4.54), crack_to(9.)}), "");
+  file.add(5, 0.4, 0.05, {crack_to(4.54), crack_to(9.)});
   EXPECT_EQ(count("crack_path.csv", "\n5,"), 4u);
 }
 
@@ -89,8 +91,8 @@ TEST_F(CrackPathFiles, AreNotWrittenForPathsThatStay)
 
 TEST_F(CrackPathFiles, CanBeSeenInParaView)
 {
-  EXPECT_EQ(file.add(2, 0.1, 0.02, {crack_to(4.5), crack_to(6.)}), "");
-  EXPECT_EQ(file.add(7, 0.2, 0.03, {crack_to(5.)}), "");
+  file.add(2, 0.1, 0.02, {crack_to(4.5), crack_to(6.)});
+  file.add(7, 0.2, 0.03, {crack_to(5.)});
   EXPECT_EQ(count("crack_path.pvd", "<DataSet "), 2u);
   EXPECT_EQ(count("crack_path.pvd",
                   "timestep=\"0.2\" group=\"\" part=\"0\" "
@@ -110,13 +112,13 @@ TEST_F(CrackPathFiles, CanBeSeenInParaView)
 
 TEST_F(CrackPathFiles, EndWithTheOutcome)
 {
-  EXPECT_EQ(file.add(2, 0.1, 0.02, {crack_to(4.5)}), "");
+  file.add(2, 0.1, 0.02, {crack_to(4.5)});
   Outcome through_hole;
   through_hole.kind  = Outcome::Kind::separated;
   through_hole.way   = Outcome::Way::through;
   through_hole.hole  = "hole";
   through_hole.start = "notch";
-  EXPECT_EQ(file.finish(through_hole), "");
+  file.finish(through_hole);
   EXPECT_EQ(content("crack_path.csv"),
             header + rows_of_step_2 +
               "# outcome: through hole; start: notch\n");
@@ -127,31 +129,31 @@ TEST_F(CrackPathFiles, EndWithTheOutcome)
 // Whatever has become of the files: lost, cut off, or gone on.
 TEST_F(CrackPathFiles, AreRestoredFromTheRowsOfACheckpoint)
 {
-  EXPECT_EQ(file.add(2, 0.1, 0.02, {crack_to(4.5)}), "");
-  EXPECT_EQ(file.add(3, 0.2, 0.02, {crack_to(5.5), crack_to(7.)}), "");
+  file.add(2, 0.1, 0.02, {crack_to(4.5)});
+  file.add(3, 0.2, 0.02, {crack_to(5.5), crack_to(7.)});
   const std::string rows = file.rows(), pvd = content("crack_path.pvd"),
                     vtp_2 = content("crack_path/crack_path_000002.vtp"),
                     vtp_3 = content("crack_path/crack_path_000003.vtp");
   EXPECT_EQ(content("crack_path.csv"), rows);
-  EXPECT_EQ(file.add(10, 0.2, 0.03, {crack_to(8.)}), "");
+  file.add(10, 0.2, 0.03, {crack_to(8.)});
   Outcome arrested;
   arrested.kind = Outcome::Kind::arrested;
-  EXPECT_EQ(file.finish(arrested), "");
+  file.finish(arrested);
   std::ofstream(directory + "/crack_path.csv") << "step,ti";
   std::filesystem::remove(directory + "/crack_path.pvd");
   std::filesystem::remove(directory + "/crack_path/crack_path_000002.vtp");
   std::ofstream(directory + "/crack_path/crack_path_000003.vtp") << "<?xml";
   CrackPathFile resumed(directory, 0.03);
-  EXPECT_EQ(resumed.restore(rows), "");
+  resumed.restore(rows);
   EXPECT_EQ(resumed.rows(), rows);
   EXPECT_EQ(content("crack_path.csv"), rows);
   EXPECT_EQ(content("crack_path.pvd"), pvd);
   EXPECT_EQ(content("crack_path/crack_path_000002.vtp"), vtp_2);
   EXPECT_EQ(content("crack_path/crack_path_000003.vtp"), vtp_3);
   // it remembers what was written last
-  EXPECT_EQ(resumed.add(9, 0.15, 0.025, {crack_to(5.5), crack_to(7.)}), "");
+  resumed.add(9, 0.15, 0.025, {crack_to(5.5), crack_to(7.)});
   EXPECT_EQ(content("crack_path.csv"), rows);
-  EXPECT_EQ(resumed.add(10, 0.2, 0.03, {crack_to(6.)}), "");
+  resumed.add(10, 0.2, 0.03, {crack_to(6.)});
   EXPECT_EQ(count("crack_path.csv", "\n10,"), 2u);
   EXPECT_EQ(count("crack_path.pvd", "<DataSet "), 3u);
 }
@@ -161,12 +163,12 @@ TEST_F(CrackPathFiles, AreRestoredFromTheRowsOfACheckpoint)
 // Who has the old file open sees it whole.
 TEST_F(CrackPathFiles, AreReplacedAndNotWrittenOver)
 {
-  EXPECT_EQ(file.add(2, 0.1, 0.02, {crack_to(4.5)}), "");
+  file.add(2, 0.1, 0.02, {crack_to(4.5)});
   const std::string rows = file.rows(), pvd = content("crack_path.pvd");
   std::ifstream     old_rows(directory + "/crack_path.csv"),
     old_pvd(directory + "/crack_path.pvd");
   CrackPathFile resumed(directory, 0.03);
-  EXPECT_EQ(resumed.restore(""), "");
+  resumed.restore("");
   EXPECT_EQ(std::string(std::istreambuf_iterator<char>(old_rows), {}), rows);
   EXPECT_EQ(std::string(std::istreambuf_iterator<char>(old_pvd), {}), pvd);
   EXPECT_EQ(content("crack_path.csv"), header);
@@ -178,13 +180,13 @@ TEST_F(CrackPathFiles, KeepNamesWithCommasTogether)
 {
   Crack crack = crack_to(4.5);
   crack.end   = {CrackEnd::Kind::boundary, "right, \"upper\""};
-  EXPECT_EQ(file.add(2, 0.1, 0.02, {crack}), "");
+  file.add(2, 0.1, 0.02, {crack});
   EXPECT_EQ(count("crack_path.csv", "notch,\"right, \"\"upper\"\"\",4.5,3,"),
             2u);
   CrackPathFile resumed(directory, 0.03);
-  EXPECT_EQ(resumed.restore(file.rows()), "");
+  resumed.restore(file.rows());
   EXPECT_EQ(content("crack_path.csv"), file.rows());
-  EXPECT_EQ(resumed.add(3, 0.2, 0.03, {crack}), "");
+  resumed.add(3, 0.2, 0.03, {crack});
   EXPECT_EQ(content("crack_path.csv"), file.rows());
 }
 
@@ -192,7 +194,7 @@ TEST_F(CrackPathFiles, KeepNamesWithCommasTogether)
 
 TEST_F(CrackPathFiles, BeginAnewWhenThereIsNothingToRestore)
 {
-  EXPECT_EQ(file.restore(""), "");
+  file.restore("");
   EXPECT_EQ(content("crack_path.csv"), header);
 }
 
@@ -201,7 +203,15 @@ TEST_F(CrackPathFiles, BeginAnewWhenThereIsNothingToRestore)
 TEST_F(CrackPathFiles, SayWhenTheyCannotBeWritten)
 {
   CrackPathFile nowhere(directory + "/missing", 0.03);
-  EXPECT_NE(nowhere.add(1, 0., 0., {crack_to(4.)}).find("crack_path.csv"),
-            std::string::npos);
-  EXPECT_NE(nowhere.finish({}), "");
+  try
+  {
+    nowhere.add(1, 0., 0., {crack_to(4.)});
+    ADD_FAILURE() << "a file in no directory";
+  }
+  catch (const FileError &error)
+  {
+    EXPECT_NE(std::string(error.what()).find("crack_path.csv"),
+              std::string::npos);
+  }
+  EXPECT_THROW(nowhere.finish({}), FileError);
 }

@@ -2,6 +2,7 @@
 // Who has an output directory, with locks of the file system and without.
 #include <base/errors.h>
 
+#include <output/disk.h>
 #include <output/run_lock.h>
 #include <output/run_lock_holder.h>
 
@@ -99,7 +100,7 @@ namespace
 TEST_F(RunLockTest, ASecondOneIsToldWhoHasTheDirectory)
 {
   const RunLock     first(directory);
-  const std::string before = holder_text(lock_file());
+  const std::string before = contents_of_file(lock_file());
   const LockHolder  holder = read_holder(lock_file());
   const std::string text   = refusal();
   EXPECT_EQ(holder.process, std::to_string(getpid()));
@@ -110,7 +111,7 @@ TEST_F(RunLockTest, ASecondOneIsToldWhoHasTheDirectory)
     << text;
   EXPECT_TRUE(first.warning().empty());
   // and has changed nothing
-  EXPECT_EQ(holder_text(lock_file()), before);
+  EXPECT_EQ(contents_of_file(lock_file()), before);
 }
 
 

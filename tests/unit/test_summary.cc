@@ -21,7 +21,7 @@ namespace MixedCracks
     {
       const std::string name =
         testing::TempDir() + "summary_" + std::to_string(getpid());
-      EXPECT_EQ(write_summary(name, summary, {}, events), "");
+      write_summary(name, summary, {}, events);
       std::ifstream      file(name);
       std::ostringstream text;
       for (std::string word; file >> word;)
@@ -34,7 +34,7 @@ namespace MixedCracks
   TEST(Summary, NumbersAreFiniteOrNull)
   {
     Summary summary;
-    summary.wall_time      = std::numeric_limits<double>::infinity();
+    summary.cost.wall_time = std::numeric_limits<double>::infinity();
     summary.thickness      = std::numeric_limits<double>::quiet_NaN();
     summary.cell_size      = 1. / 3.;
     summary.ranks          = 2;

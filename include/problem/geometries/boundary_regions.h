@@ -5,6 +5,8 @@
 #include <problem/geometry.h>
 #include <problem/named_conditions.h>
 
+#include <utility>
+
 namespace MixedCracks
 {
   /// A geometry some of whose boundary has further names, by the position of
@@ -15,7 +17,10 @@ namespace MixedCracks
   public:
     /// @p geometry must outlive the object.
     GeometryWithRegions(const Geometry<dim>             &geometry,
-                        std::vector<NamedCondition<dim>> regions);
+                        std::vector<NamedCondition<dim>> regions)
+      : geometry(&geometry)
+      , regions(std::move(regions))
+    {}
 
     /// Those of the geometry.
     void
@@ -30,25 +35,49 @@ namespace MixedCracks
     std::map<dealii::types::boundary_id, std::string>
     names_of_ids() const override;
 
-    std::optional<dealii::BoundingBox<dim>> extent() const override;
+    std::optional<dealii::BoundingBox<dim>>
+    extent() const override
+    {
+      return geometry->extent();
+    }
 
     /// Throws InputError for a region without a face, on every rank alike.
     void create(dealii::Triangulation<dim> &triangulation) const override;
 
-    std::optional<double> n_coarse_cells() const override;
+    std::optional<double>
+    n_coarse_cells() const override
+    {
+      return geometry->n_coarse_cells();
+    }
 
     /// There a face belongs to a region when the condition holds anywhere on
     /// it, as far as is tried: its faces stand for several of this mesh. None
     /// is missed.
     std::unique_ptr<Geometry<dim>> coarser(double factor) const override;
 
-    std::string about_mesh() const override;
+    std::string
+    about_mesh() const override
+    {
+      return geometry->about_mesh();
+    }
 
-    std::string hint_about_boundaries() const override;
+    std::string
+    hint_about_boundaries() const override
+    {
+      return geometry->hint_about_boundaries();
+    }
 
-    std::map<std::string, FlatPiece<dim>> named_places() const override;
+    std::map<std::string, FlatPiece<dim>>
+    named_places() const override
+    {
+      return geometry->named_places();
+    }
 
-    std::vector<FlatPiece<dim>> slits() const override;
+    std::vector<FlatPiece<dim>>
+    slits() const override
+    {
+      return geometry->slits();
+    }
 
   private:
     using Id = dealii::types::boundary_id;

@@ -2,6 +2,8 @@
 #ifndef mixed_cracks_problem_geometries_checks_h
 #define mixed_cracks_problem_geometries_checks_h
 
+#include <deal.II/base/parameter_handler.h>
+
 #include <string>
 #include <vector>
 
@@ -19,6 +21,9 @@ namespace MixedCracks
   /// Throws InputError naming @p parameter unless @p value is finite and
   /// positive.
   void require_positive(double value, const std::string &parameter);
+
+  /// "Cell size" of the present subsection.
+  void add_cell_size(dealii::ParameterHandler &prm, double &cell_size);
 
   /// Throws InputError naming @p parameter unless cells of @p cell_size (mm)
   /// fit into a box with these @p extents (mm), and fewer than a million of

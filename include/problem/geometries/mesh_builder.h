@@ -41,21 +41,23 @@ namespace MixedCracks
   {
   public:
     /// @p contents must outlive the object.
-    explicit MeshBuilder(const MeshContents &contents);
+    explicit MeshBuilder(const MeshContents &contents)
+      : contents(contents)
+    {}
 
-    /// Make @p triangulation, which is empty. Returns why that is impossible,
-    /// as the end of a sentence that begins "the file"; empty when it worked.
-    std::string build(dealii::Triangulation<dim> &triangulation);
+    /// Make @p triangulation, which is empty. Throws a MeshProblem where
+    /// that is impossible.
+    void build(dealii::Triangulation<dim> &triangulation);
 
     /// After build(): give the faces of the boundary ids that tell what names
     /// they have, those of @p names and of the file; those without a name get
     /// their number in the file or 0. Groups with faces inside the body have no
-    /// name unless @p names has one, which is an error. Returns what is wrong
+    /// name unless @p names has one, which is an error. Throws what is wrong
     /// with the names or the groups they stand for, a sentence without its
-    /// stop; empty when it worked.
-    std::string set_boundary_ids(const std::vector<BoundaryName> &names,
-                                 dealii::Triangulation<dim>      &triangulation,
-                                 FileBoundaries &boundaries) const;
+    /// stop, as a MeshProblem.
+    FileBoundaries
+    set_boundary_ids(const std::vector<BoundaryName> &names,
+                     dealii::Triangulation<dim>      &triangulation) const;
 
     /// After build(): what the boundary consists of, as "the ids 0, 1 ('left')
     /// and the names 'top'".
@@ -70,22 +72,20 @@ namespace MixedCracks
       unsigned int opposite; // see across_from_first()
     };
 
-    // the ends of a sentence, like build()
-    std::string check_plane() const;
-    std::string collect_cells();
-    void        add_cell(const MeshContents::Cell &cell);
-    void        collect_groups();
+    void check_plane() const;
+    void collect_cells();
+    void add_cell(const MeshContents::Cell &cell);
+    void collect_groups();
 
     std::string node_list(const Face &face) const;
 
     // The end of set_boundary_ids(): names of faces that are in no group
-    std::string
-    name_the_rest(const std::vector<BoundaryName>            &names,
-                  const std::set<dealii::types::boundary_id> &without_name,
-                  FileBoundaries                             &boundaries) const;
+    void name_the_rest(const std::vector<BoundaryName>            &names,
+                       const std::set<dealii::types::boundary_id> &without_name,
+                       FileBoundaries &boundaries) const;
 
     // Like set_boundary_ids(): groups with names have no faces elsewhere
-    std::string
+    void
     check_inner_faces(const std::vector<BoundaryName> &names,
                       const std::vector<unsigned int> &name_of_group) const;
 

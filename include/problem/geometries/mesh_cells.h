@@ -4,18 +4,15 @@
 
 #include <problem/geometries/mesh_contents.h>
 
-#include <string>
 #include <vector>
 
 namespace MixedCracks
 {
   /// Make a cell that is inside out one that is not, by another order of its
-  /// nodes. Returns what is wrong with a cell that is degenerate or twisted,
-  /// as the end of a sentence that begins "the file", with its number and the
-  /// node.
+  /// nodes. Throws a MeshProblem about a cell that is degenerate or twisted,
+  /// with its number and the node.
   template <int dim>
-  std::string orient_cell(const MeshContents &contents,
-                          MeshContents::Cell &cell);
+  void orient_cell(const MeshContents &contents, MeshContents::Cell &cell);
 
   /// The faces of a cell, each as indices of its nodes around it.
   template <int dim>

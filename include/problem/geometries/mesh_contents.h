@@ -4,13 +4,21 @@
 
 #include <deal.II/base/point.h>
 
+#include <stdexcept>
 #include <string>
 #include <unordered_map>
-#include <utility>
 #include <vector>
 
 namespace MixedCracks
 {
+  /// Why a mesh file cannot be used, as the end of a sentence that begins "the
+  /// file".
+  class MeshProblem : public std::runtime_error
+  {
+  public:
+    using std::runtime_error::runtime_error;
+  };
+
   /// What the text of a mesh file says, whatever its format: nodes, cells of
   /// the dimension it is read for, and groups of their faces.
   struct MeshContents

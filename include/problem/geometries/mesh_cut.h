@@ -4,8 +4,6 @@
 
 #include <problem/geometries/mesh_contents.h>
 
-#include <string>
-
 namespace MixedCracks
 {
   /// The first cell of @p contents that is no quadrilateral, in 3-d no
@@ -17,10 +15,9 @@ namespace MixedCracks
   /// three quadrilaterals, a quadrilateral into four, a tetrahedron into four
   /// hexahedra, a prism into six, a hexahedron into eight. Groups of faces and
   /// of nodes go to the pieces. New nodes have the number
-  /// MeshContents::Node::none, pieces that of their cell. Returns what is
-  /// wrong, as the end of a sentence that begins "the file"; empty when it
-  /// worked.
-  std::string cut_cells(MeshContents &contents, int dim);
+  /// MeshContents::Node::none, pieces that of their cell. Throws a
+  /// MeshProblem where that is impossible.
+  void cut_cells(MeshContents &contents, int dim);
 } // namespace MixedCracks
 
 #endif

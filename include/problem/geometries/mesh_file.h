@@ -31,7 +31,11 @@ namespace MixedCracks
     std::map<dealii::types::boundary_id, std::string>
     names_of_ids() const override;
 
-    std::optional<dealii::BoundingBox<dim>> extent() const override;
+    std::optional<dealii::BoundingBox<dim>>
+    extent() const override
+    {
+      return {};
+    }
 
     /// One rank reads the file. Throws FileError when that fails, InputError
     /// when it is no usable mesh or not the one that the entries describe; on
@@ -39,7 +43,11 @@ namespace MixedCracks
     void create(dealii::Triangulation<dim> &triangulation) const override;
 
     /// After create(): whether cells were cut, and which nodes were not used.
-    std::string about_mesh() const override;
+    std::string
+    about_mesh() const override
+    {
+      return remarks;
+    }
 
     /// What parts of the boundary the file has. Reads it, on this rank alone.
     std::string hint_about_boundaries() const override;

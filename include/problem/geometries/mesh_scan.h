@@ -11,9 +11,6 @@ namespace MixedCracks
   /// What was understood of the text of a mesh file.
   struct MeshScan
   {
-    /// Why the file cannot be used, as the end of a sentence that begins
-    /// "the file"; empty when it can.
-    std::string  problem;
     MeshContents contents;
     bool         is_cut = false; ///< there were triangles or the like
   };
@@ -23,7 +20,7 @@ namespace MixedCracks
   /// the whole file; @p dim: the dimension it is read for; @p cut_simplices:
   /// see cut_cells(), else meshes that are not of quadrilaterals or hexahedra
   /// alone are a problem. Cells of the result are quadrilaterals, in 3-d
-  /// hexahedra.
+  /// hexahedra. Throws a MeshProblem.
   MeshScan
   scan_mesh(const std::string &bytes, int dim, bool cut_simplices = false);
 } // namespace MixedCracks

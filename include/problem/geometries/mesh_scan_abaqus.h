@@ -12,6 +12,8 @@ namespace MixedCracks
   {
     std::string upper_case(std::string text);
 
+    std::string without_commas(std::string line);
+
     /// "*ELEMENT, TYPE=CPS4": the word and its options.
     struct AbaqusKeyword
     {
@@ -100,49 +102,49 @@ namespace MixedCracks
 
       /// The next line, without a comment, complete. This and the next return
       /// a problem.
-      std::string add(const std::string &line);
+      void add(const std::string &line);
 
       /// What sets and surfaces refer to, when everything is known.
-      std::string finish();
+      void finish();
 
     private:
-      std::string begin(const std::string &line);
-      std::string add_line(const std::string &line);
+      void begin(const std::string &line);
+      void add_line(const std::string &line);
 
       /// Whether the line belongs to a part, which is kept for its instances.
-      bool        keep_for_part(const std::string &line);
-      std::string begin_instance();
-      std::string end_instance();
-      std::string place_part(const std::string &part);
+      bool keep_for_part(const std::string &line);
+      void begin_instance();
+      void end_instance();
+      void place_part(const std::string &part);
 
-      std::string      add_node(const std::string &line);
-      std::string      add_element(const std::string &line);
-      std::string      add_to_set(const std::string                &line,
+      void             add_node(const std::string &line);
+      void             add_element(const std::string &line);
+      void             add_to_set(const std::string                &line,
                                   const std::string                &option,
                                   std::map<std::string, AbaqusSet> &sets);
-      std::string      add_to_surface(const std::string &line);
-      std::string      move_instance(const std::string &line);
+      void             add_to_surface(const std::string &line);
+      void             move_instance(const std::string &line);
       AbaqusScope      scope_of(const std::string &instance) const;
       const AbaqusSet *find_set(const std::map<std::string, AbaqusSet> &sets,
                                 const AbaqusScope                      &at,
                                 const std::string &name) const;
 
       /// Make nodes of tied surfaces one; bodies that touch else are a problem.
-      std::string join_bodies();
-      std::string tie(const std::string &first, const std::string &second);
-      std::string check_touching() const;
+      void join_bodies();
+      void tie(const std::string &first, const std::string &second);
+      void check_touching() const;
       std::vector<unsigned int> nodes_of_surface(const std::string &name) const;
       std::set<std::vector<unsigned int>>
              faces_of_surface(const std::string &name) const;
       double tolerance() const;
 
-      void        add_materials();
-      std::string add_element_groups();
-      std::string add_node_groups();
-      std::string add_surface(const AbaqusSurfaceLine &surface);
-      std::string add_side(const AbaqusSurfaceLine &surface,
-                           long int                 element,
-                           unsigned int             group);
+      void add_materials();
+      void add_element_groups();
+      void add_node_groups();
+      void add_surface(const AbaqusSurfaceLine &surface);
+      void add_side(const AbaqusSurfaceLine &surface,
+                    long int                 element,
+                    unsigned int             group);
 
       const CellKind &kind;
       MeshContents   &contents;

@@ -11,9 +11,8 @@
 
 namespace MixedCracks
 {
-  /// What scan_mesh() is made of; of no use elsewhere. Functions that return
-  /// a problem say why the file cannot be used, as the end of a sentence that
-  /// begins "the file"; an empty string when it can.
+  /// What scan_mesh() is made of; of no use elsewhere. What cannot be used is
+  /// thrown as a MeshProblem.
   namespace MeshScanning
   {
     /// Lines without blanks around them, without empty ones.
@@ -27,7 +26,7 @@ namespace MixedCracks
     std::vector<long int> integers_of(const std::string &line);
 
     /// @p kind: "node", "element", ….
-    std::string broken_line(const std::string &kind, const std::string &line);
+    MeshProblem broken_line(const std::string &kind, const std::string &line);
 
     /// The cells that a mesh of a dimension is made of.
     struct CellKind
@@ -39,17 +38,17 @@ namespace MixedCracks
     CellKind cell_kind(int dim);
 
     /// @p found: "triangles", ….
-    std::string unusable_element(const std::string &found,
+    MeshProblem unusable_element(const std::string &found,
                                  const CellKind    &kind);
 
     /// A mesh of the other dimension; @p found as above.
-    std::string other_dimension(const std::string &found, const CellKind &kind);
+    MeshProblem other_dimension(const std::string &found, const CellKind &kind);
 
     /// What to do about triangles and the like.
-    std::string cut_or_remesh(const std::string &found, const CellKind &kind);
+    MeshProblem cut_or_remesh(const std::string &found, const CellKind &kind);
 
     /// Nodes of a cell or face that the file does not list; @p line: where.
-    std::string unlisted_node(const std::string &line);
+    MeshProblem unlisted_node(const std::string &line);
 
     /// An element as a file lists it.
     struct Element
@@ -64,7 +63,7 @@ namespace MixedCracks
     /// Make the element with these numbers of nodes, corners first, a cell or a
     /// face; one of less dimensions is left out. @p line: where it stands.
     template <typename Iterator>
-    std::string
+    void
     add_element(const Element     &element,
                 const Iterator     first_node,
                 const std::string &line,
@@ -73,15 +72,15 @@ namespace MixedCracks
     {
       const ElementShape &shape = element.shape;
       if (shape.dim > kind.dim)
-        return other_dimension(shape.in_words() + " (element " +
-                                 std::to_string(element.number) + ")",
-                               kind);
+        throw other_dimension(shape.in_words() + " (element " +
+                                std::to_string(element.number) + ")",
+                              kind);
       if (shape.dim < kind.dim - 1)
-        return "";
+        return;
       const auto nodes =
         contents.indices_of(first_node, first_node + shape.n_corners);
       if (nodes.size() != shape.n_corners)
-        return unlisted_node(line);
+        throw unlisted_node(line);
       if (shape.dim == kind.dim)
       {
         contents.cells.push_back({element.number, nodes, element.material});
@@ -90,16 +89,15 @@ namespace MixedCracks
       else
         for (const unsigned int group : element.groups)
           contents.faces.push_back({nodes, group});
-      return "";
     }
 
     /// When there are no cells. @p has_faces: elements of one dimension less.
-    std::string no_cells(bool has_faces, const CellKind &kind);
+    MeshProblem no_cells(bool has_faces, const CellKind &kind);
 
     /// "4 ('top')", or one of the two.
     std::string in_words(const MeshContents::Group &group);
 
-    std::string
+    void
     scan_gmsh(const Lines &lines, const CellKind &kind, MeshContents &contents);
 
     /// By dimension and tag: the physical groups of Gmsh's entities.
@@ -110,29 +108,29 @@ namespace MixedCracks
     using GmshNames = std::map<std::pair<long int, long int>, std::string>;
 
     /// Section $Elements. @p version: 2, 4 or 4.1.
-    std::string scan_gmsh_elements(const Lines        &section,
-                                   double              version,
-                                   const GmshEntities &entities,
-                                   const GmshNames    &names,
-                                   const CellKind     &kind,
-                                   MeshContents       &contents);
+    void scan_gmsh_elements(const Lines        &section,
+                            double              version,
+                            const GmshEntities &entities,
+                            const GmshNames    &names,
+                            const CellKind     &kind,
+                            MeshContents       &contents);
 
-    std::string scan_abaqus(const Lines    &lines,
-                            const CellKind &kind,
-                            MeshContents   &contents);
+    void scan_abaqus(const Lines    &lines,
+                     const CellKind &kind,
+                     MeshContents   &contents);
 
     /// Needs a first line of five numbers, and no comments.
-    std::string
+    void
     scan_ucd(const Lines &lines, const CellKind &kind, MeshContents &contents);
 
-    std::string
+    void
     scan_vtk(const Lines &lines, const CellKind &kind, MeshContents &contents);
 
     /// Whether the bytes are a binary Gmsh file.
     bool is_binary_gmsh(const std::string &bytes);
 
     /// Such a file as the lines of an ASCII file with the same contents.
-    std::string gmsh_as_lines(const std::string &bytes, Lines &lines);
+    Lines gmsh_as_lines(const std::string &bytes);
 
     /// What kind of file that is not read this is: "a STEP file", …; empty when
     /// it is unknown.

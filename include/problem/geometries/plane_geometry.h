@@ -4,6 +4,8 @@
 
 #include <problem/geometries/plane_figure.h>
 
+#include <utility>
+
 namespace MixedCracks
 {
   /// A figure in the plane; in 3-d this times [0, thickness], with the
@@ -12,7 +14,9 @@ namespace MixedCracks
   class PlaneGeometry : public Geometry<dim>
   {
   public:
-    explicit PlaneGeometry(std::unique_ptr<PlaneFigure> figure);
+    explicit PlaneGeometry(std::unique_ptr<PlaneFigure> figure)
+      : figure(std::move(figure))
+    {}
 
     /// @p other with a coarse mesh of cells that are @p factor times as long.
     PlaneGeometry(const PlaneGeometry &other, double factor);
@@ -27,9 +31,17 @@ namespace MixedCracks
 
     void create(dealii::Triangulation<dim> &triangulation) const override;
 
-    std::optional<double> n_coarse_cells() const override;
+    std::optional<double>
+    n_coarse_cells() const override
+    {
+      return figure->n_cells() * (dim == 3 ? thickness_cells : 1.);
+    }
 
-    std::unique_ptr<Geometry<dim>> coarser(double factor) const override;
+    std::unique_ptr<Geometry<dim>>
+    coarser(const double factor) const override
+    {
+      return std::make_unique<PlaneGeometry>(*this, factor);
+    }
 
     std::map<std::string, FlatPiece<dim>> named_places() const override;
 
@@ -37,7 +49,11 @@ namespace MixedCracks
 
   private:
     /// In z, mm.
-    double depth() const;
+    double
+    depth() const
+    {
+      return figure->own_thickness().value_or(this->thickness());
+    }
 
     std::unique_ptr<PlaneFigure> figure;
     unsigned int                 thickness_cells = 1;

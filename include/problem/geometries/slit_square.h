@@ -16,7 +16,10 @@ namespace MixedCracks
   {
   public:
     /// In 3-d it is a cube, with other words and another default.
-    explicit SlitSquare(unsigned int dim);
+    explicit SlitSquare(const unsigned int dim)
+      : dim(dim)
+      , cell_size(dim == 2 ? 0.05 : 0.25)
+    {}
 
     std::string subsection() const override;
 

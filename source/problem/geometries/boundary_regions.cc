@@ -22,7 +22,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <utility>
 
 namespace MixedCracks
 {
@@ -51,16 +50,6 @@ namespace MixedCracks
                           s * t * face->vertex(3));
     }
   } // namespace
-
-
-
-  template <int dim>
-  GeometryWithRegions<dim>::GeometryWithRegions(
-    const Geometry<dim>             &geometry,
-    std::vector<NamedCondition<dim>> regions)
-    : geometry(&geometry)
-    , regions(std::move(regions))
-  {}
 
 
 
@@ -230,60 +219,6 @@ namespace MixedCracks
     // either side
     result->n_tried = 3 * static_cast<unsigned int>(std::ceil(factor));
     return result;
-  }
-
-
-
-  template <int dim>
-  std::optional<dealii::BoundingBox<dim>>
-  GeometryWithRegions<dim>::extent() const
-  {
-    return geometry->extent();
-  }
-
-
-
-  template <int dim>
-  std::optional<double>
-  GeometryWithRegions<dim>::n_coarse_cells() const
-  {
-    return geometry->n_coarse_cells();
-  }
-
-
-
-  template <int dim>
-  std::string
-  GeometryWithRegions<dim>::about_mesh() const
-  {
-    return geometry->about_mesh();
-  }
-
-
-
-  template <int dim>
-  std::string
-  GeometryWithRegions<dim>::hint_about_boundaries() const
-  {
-    return geometry->hint_about_boundaries();
-  }
-
-
-
-  template <int dim>
-  std::map<std::string, FlatPiece<dim>>
-  GeometryWithRegions<dim>::named_places() const
-  {
-    return geometry->named_places();
-  }
-
-
-
-  template <int dim>
-  std::vector<FlatPiece<dim>>
-  GeometryWithRegions<dim>::slits() const
-  {
-    return geometry->slits();
   }
 
 

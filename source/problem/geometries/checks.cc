@@ -58,6 +58,18 @@ namespace MixedCracks
 
 
   void
+  add_cell_size(dealii::ParameterHandler &prm, double &cell_size)
+  {
+    prm.add_parameter("Cell size",
+                      cell_size,
+                      "Wanted size of the cells of the coarse mesh, before "
+                      "refinement; mm.",
+                      dealii::Patterns::Double(0.));
+  }
+
+
+
+  void
   require_cell_size(const double               cell_size,
                     const std::vector<double> &extents,
                     const std::string         &parameter)

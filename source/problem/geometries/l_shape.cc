@@ -52,11 +52,7 @@ namespace MixedCracks
                       "Side of the square, whose lower left corner is the "
                       "origin; mm. Its lower right quadrant is removed.",
                       Double(0.));
-    prm.add_parameter("Cell size",
-                      cell_size,
-                      "Wanted size of the cells of the coarse mesh, before "
-                      "refinement; mm.",
-                      Double(0.));
+    add_cell_size(prm, cell_size);
   }
 
 

@@ -13,6 +13,8 @@
 // around a quadrilateral in three ways; which one it is, the corner opposite to
 // the least index tells.
 
+#include <base/ranges.h>
+
 #include <problem/geometries/checks.h>
 #include <problem/geometries/mesh_builder.h>
 #include <problem/geometries/mesh_cells.h>
@@ -20,7 +22,6 @@
 #include <deal.II/grid/grid_tools.h>
 
 #include <algorithm>
-#include <cmath>
 
 namespace MixedCracks
 {
@@ -44,13 +45,6 @@ namespace MixedCracks
 
 
   template <int dim>
-  MeshBuilder<dim>::MeshBuilder(const MeshContents &contents)
-    : contents(contents)
-  {}
-
-
-
-  template <int dim>
   std::string
   MeshBuilder<dim>::node_list(const Face &face) const
   {
@@ -66,11 +60,11 @@ namespace MixedCracks
 
   // In 2-d the third coordinate is dropped, which must not fold the mesh.
   template <int dim>
-  std::string
+  void
   MeshBuilder<dim>::check_plane() const
   {
     if (dim == 3)
-      return "";
+      return;
     dealii::Point<3> lower =
       contents.nodes[contents.cells[0].nodes[0]].position;
     dealii::Point<3> upper = lower;
@@ -85,41 +79,41 @@ namespace MixedCracks
     const double size     = lower.distance(upper);
     const char  *planes[] = {"y-z", "x-z"};
     if (upper[2] - lower[2] <= flatness * size)
-      return "";
+      return;
     for (unsigned int d = 0; d < 2; ++d)
       if (upper[d] - lower[d] <= flatness * size)
-        return std::string("lies in the ") + planes[d] + " plane (" + "xy"[d] +
-               " = " + number_text(lower[d]) +
-               " at every node); turn it into the x-y plane";
-    return "is not flat: its nodes go from z = " + number_text(lower[2]) +
-           " to z = " + number_text(upper[2]) +
-           ", and a mesh for 2-d lies in the x-y plane";
+        throw MeshProblem(std::string("lies in the ") + planes[d] + " plane (" +
+                          "xy"[d] + " = " + number_text(lower[d]) +
+                          " at every node); turn it into the x-y plane");
+    throw MeshProblem(
+      "is not flat: its nodes go from z = " + number_text(lower[2]) +
+      " to z = " + number_text(upper[2]) +
+      ", and a mesh for 2-d lies in the x-y plane");
   }
 
 
 
   template <int dim>
-  std::string
+  void
   MeshBuilder<dim>::collect_cells()
   {
     std::map<Face, long int> known;
     for (const MeshContents::Cell &listed : contents.cells)
     {
-      MeshContents::Cell cell    = listed;
-      const std::string  problem = orient_cell<dim>(contents, cell);
-      if (!problem.empty())
-        return problem;
+      MeshContents::Cell cell = listed;
+      orient_cell<dim>(contents, cell);
       Face all = cell.nodes;
       std::sort(all.begin(), all.end());
       const auto [twin, is_new] = known.emplace(all, cell.material);
       if (!is_new)
-        return "lists a cell twice, with the nodes " + node_list(all) +
-               (twin->second == cell.material
-                  ? ""
-                  : " and the materials " + std::to_string(twin->second) +
-                      " and " + std::to_string(cell.material) +
-                      ": is it in two physical groups? A cell has one "
-                      "material");
+        throw MeshProblem(
+          "lists a cell twice, with the nodes " + node_list(all) +
+          (twin->second == cell.material
+             ? ""
+             : " and the materials " + std::to_string(twin->second) + " and " +
+                 std::to_string(cell.material) +
+                 ": is it in two physical groups? A cell has one "
+                 "material"));
       for (const Face &around : faces_of_cell<dim>(cell))
       {
         Face face = around;
@@ -128,15 +122,15 @@ namespace MixedCracks
         const auto [known_face, first] =
           faces_of_cells.emplace(face, FaceOfCells{0, opposite});
         if (++known_face->second.n_cells > 2)
-          return "has three cells at one face, with the nodes " +
-                 node_list(face);
+          throw MeshProblem("has three cells at one face, with the nodes " +
+                            node_list(face));
         if (!first && known_face->second.opposite != opposite)
-          return "has two cells that meet in a twisted face, with the nodes " +
-                 node_list(face);
+          throw MeshProblem(
+            "has two cells that meet in a twisted face, with the nodes " +
+            node_list(face));
       }
       add_cell(cell);
     }
-    return "";
   }
 
 
@@ -176,7 +170,7 @@ namespace MixedCracks
   {
     const auto add = [&](const Face &face, const unsigned int group) {
       std::vector<unsigned int> &groups = groups_at[face];
-      if (std::find(groups.begin(), groups.end(), group) == groups.end())
+      if (!contains(groups, group))
         groups.push_back(group);
     };
     for (const MeshContents::Face &listed : contents.faces)
@@ -192,9 +186,7 @@ namespace MixedCracks
         in_set[node] = true;
       for (const auto &[face, use] : faces_of_cells)
         if (use.n_cells == 1 &&
-            std::all_of(face.begin(), face.end(), [&](const unsigned int node) {
-              return in_set[node];
-            }))
+            all_of(face, [&](const unsigned int node) { return in_set[node]; }))
           add(face, set.group);
     }
   }
@@ -202,14 +194,11 @@ namespace MixedCracks
 
 
   template <int dim>
-  std::string
+  void
   MeshBuilder<dim>::build(dealii::Triangulation<dim> &triangulation)
   {
-    std::string problem = check_plane();
-    if (problem.empty())
-      problem = collect_cells();
-    if (!problem.empty())
-      return problem;
+    check_plane();
+    collect_cells();
     try
     {
       dealii::GridTools::consistently_order_cells(cells);
@@ -217,11 +206,11 @@ namespace MixedCracks
     }
     catch (const std::exception &)
     {
-      return "has cells that do not fit together (a face twisted between its "
-             "cells, or edges that cannot be given directions)";
+      throw MeshProblem(
+        "has cells that do not fit together (a face twisted between its "
+        "cells, or edges that cannot be given directions)");
     }
     collect_groups();
-    return "";
   }
 
 

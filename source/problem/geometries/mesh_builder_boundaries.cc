@@ -50,24 +50,23 @@ namespace MixedCracks
 
     // For each group the name that stands for it, if there is one. Returns
     // what is wrong.
-    std::string
+    std::vector<unsigned int>
     find_names(const std::vector<BoundaryName>        &names,
-               const std::vector<MeshContents::Group> &groups,
-               std::vector<unsigned int>              &name_of_group)
+               const std::vector<MeshContents::Group> &groups)
     {
-      name_of_group.assign(groups.size(), nobody);
+      std::vector<unsigned int> name_of_group(groups.size(), nobody);
       for (unsigned int g = 0; g < groups.size(); ++g)
         for (unsigned int n = 0; n < names.size(); ++n)
           if (stands_for(names[n], groups[g]))
           {
             if (name_of_group[g] != nobody)
-              return "the boundary " + MeshScanning::in_words(groups[g]) +
-                     " of the file has two names, '" +
-                     names[name_of_group[g]].name + "' and '" + names[n].name +
-                     "'";
+              throw MeshProblem(
+                "the boundary " + MeshScanning::in_words(groups[g]) +
+                " of the file has two names, '" + names[name_of_group[g]].name +
+                "' and '" + names[n].name + "'");
             name_of_group[g] = n;
           }
-      return "";
+      return name_of_group;
     }
 
 
@@ -148,7 +147,7 @@ namespace MixedCracks
 
 
   template <int dim>
-  std::string
+  void
   MeshBuilder<dim>::check_inner_faces(
     const std::vector<BoundaryName> &names,
     const std::vector<unsigned int> &name_of_group) const
@@ -161,14 +160,13 @@ namespace MixedCracks
         continue;
       for (const unsigned int g : groups)
         if (name_of_group[g] != nobody)
-          return "the boundary " + MeshScanning::in_words(contents.groups[g]) +
-                 " (" + names[name_of_group[g]].name + ") has a line or face " +
-                 (cells_there == faces_of_cells.end()
-                    ? "that belongs to no cell"
-                    : "inside the domain") +
-                 ", with the nodes " + node_list(face);
+          throw MeshProblem(
+            "the boundary " + MeshScanning::in_words(contents.groups[g]) +
+            " (" + names[name_of_group[g]].name + ") has a line or face " +
+            (cells_there == faces_of_cells.end() ? "that belongs to no cell"
+                                                 : "inside the domain") +
+            ", with the nodes " + node_list(face));
     }
-    return "";
   }
 
 
@@ -230,7 +228,7 @@ namespace MixedCracks
 
   // '0 = sides' names the faces that are in no group.
   template <int dim>
-  std::string
+  void
   MeshBuilder<dim>::name_the_rest(
     const std::vector<BoundaryName>            &names,
     const std::set<dealii::types::boundary_id> &without_name,
@@ -240,32 +238,29 @@ namespace MixedCracks
       if (boundaries.ids.count(name.name) == 0)
       {
         if (without_name.count(name.id) == 0)
-          return "the boundary id " + name.key + " (" + name.name +
-                 ") is not in the file, which has " + known_boundaries();
+          throw MeshProblem("the boundary id " + name.key + " (" + name.name +
+                            ") is not in the file, which has " +
+                            known_boundaries());
         boundaries.ids[name.name].insert(name.id);
         boundaries.names[name.id] = name.name;
       }
-    return "";
   }
 
 
 
   template <int dim>
-  std::string
-  MeshBuilder<dim>::set_boundary_ids(const std::vector<BoundaryName> &names,
-                                     dealii::Triangulation<dim> &triangulation,
-                                     FileBoundaries &boundaries) const
+  FileBoundaries
+  MeshBuilder<dim>::set_boundary_ids(
+    const std::vector<BoundaryName> &names,
+    dealii::Triangulation<dim>      &triangulation) const
   {
-    std::vector<unsigned int> name_of_group;
-    std::string problem = find_names(names, contents.groups, name_of_group);
-    if (problem.empty())
-      problem = check_inner_faces(names, name_of_group);
-    if (!problem.empty())
-      return problem;
+    const std::vector<unsigned int> name_of_group =
+      find_names(names, contents.groups);
+    check_inner_faces(names, name_of_group);
 
     const auto names_at = names_of_faces(names_of_groups(names, name_of_group));
     const auto ids      = ids_of_names(names_at, names);
-    boundaries          = boundaries_of(names_at, ids, names);
+    FileBoundaries boundaries = boundaries_of(names_at, ids, names);
     std::set<dealii::types::boundary_id> without_name;
     for (const auto &cell : triangulation.active_cell_iterators())
       for (const auto &face : cell->face_iterators())
@@ -288,7 +283,8 @@ namespace MixedCracks
             : id_without_name(groups_at.at(nodes), contents.groups));
         without_name.insert(face->boundary_id());
       }
-    return name_the_rest(names, without_name, boundaries);
+    name_the_rest(names, without_name, boundaries);
+    return boundaries;
   }
 
 
@@ -330,18 +326,8 @@ namespace MixedCracks
 
 
 #define INSTANTIATE(dim)                                                    \
-  template std::string MeshBuilder<dim>::check_inner_faces(                 \
-    const std::vector<BoundaryName> &, const std::vector<unsigned int> &)   \
-    const;                                                                  \
-  template std::vector<std::string> MeshBuilder<dim>::names_of_groups(      \
-    const std::vector<BoundaryName> &, const std::vector<unsigned int> &)   \
-    const;                                                                  \
-  template std::map<std::vector<unsigned int>, std::vector<std::string>>    \
-  MeshBuilder<dim>::names_of_faces(const std::vector<std::string> &) const; \
-  template std::string MeshBuilder<dim>::set_boundary_ids(                  \
-    const std::vector<BoundaryName> &,                                      \
-    dealii::Triangulation<dim> &,                                           \
-    FileBoundaries &) const;                                                \
+  template FileBoundaries MeshBuilder<dim>::set_boundary_ids(               \
+    const std::vector<BoundaryName> &, dealii::Triangulation<dim> &) const; \
   template std::string MeshBuilder<dim>::known_boundaries() const;
   INSTANTIATE(2)
   INSTANTIATE(3)

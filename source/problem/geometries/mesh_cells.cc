@@ -74,7 +74,7 @@ namespace MixedCracks
 
 
   template <int dim>
-  std::string
+  void
   orient_cell(const MeshContents &contents, MeshContents::Cell &cell)
   {
     const unsigned int n        = static_cast<unsigned int>(cell.nodes.size());
@@ -95,23 +95,23 @@ namespace MixedCracks
       if (!(std::abs(measure) > smallest))
       {
         const long int node = contents.nodes[cell.nodes[corner]].number;
-        return sentence + "has " + flat_corner(edges) +
-               (node == MeshContents::Node::none
-                  ? " in a piece of it"
-                  : " at node " + std::to_string(node));
+        throw MeshProblem(sentence + "has " + flat_corner(edges) +
+                          (node == MeshContents::Node::none
+                             ? " in a piece of it"
+                             : " at node " + std::to_string(node)));
       }
       n_positive += measure > 0.;
     }
     if (n_positive == n)
-      return "";
+      return;
     if (n_positive > 0)
-      return sentence + "is twisted, or has a corner of more than 180 degrees";
+      throw MeshProblem(sentence +
+                        "is twisted, or has a corner of more than 180 degrees");
     if (dim == 2)
       std::reverse(cell.nodes.begin(), cell.nodes.end());
     else
       std::swap_ranges(
         cell.nodes.begin(), cell.nodes.begin() + 4, cell.nodes.begin() + 4);
-    return "";
   }
 
 
@@ -141,10 +141,8 @@ namespace MixedCracks
 
 
 
-  template std::string orient_cell<2>(const MeshContents &,
-                                      MeshContents::Cell &);
-  template std::string orient_cell<3>(const MeshContents &,
-                                      MeshContents::Cell &);
+  template void orient_cell<2>(const MeshContents &, MeshContents::Cell &);
+  template void orient_cell<3>(const MeshContents &, MeshContents::Cell &);
   template std::vector<std::vector<unsigned int>>
   faces_of_cell<2>(const MeshContents::Cell &);
   template std::vector<std::vector<unsigned int>>

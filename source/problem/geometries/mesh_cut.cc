@@ -18,6 +18,8 @@
 // A triangle with the angles 60 degrees becomes quadrilaterals with 60, 90, 120
 // and 90 degrees.
 
+#include <base/ranges.h>
+
 #include <problem/geometries/mesh_cut.h>
 #include <problem/geometries/mesh_shapes.h>
 
@@ -216,45 +218,43 @@ namespace MixedCracks
         for (const unsigned int node : set.nodes)
           in_set[node] = true;
         for (const auto &[nodes, mean] : means.all())
-          if (std::all_of(nodes.begin(), nodes.end(), [&](unsigned int node) {
-                return in_set[node];
-              }))
+          if (all_of(nodes, [&](unsigned int node) { return in_set[node]; }))
             set.nodes.push_back(mean);
       }
     }
 
 
 
-    std::string
+    MeshProblem
     twice(const MeshContents::Cell &cell, const MeshContents::Cell &other)
     {
-      return "lists a cell twice, as the elements " +
-             std::to_string(other.number) + " and " +
-             std::to_string(cell.number) +
-             (other.material == cell.material
-                ? ""
-                : ", with the materials " + std::to_string(other.material) +
-                    " and " + std::to_string(cell.material) +
-                    ": is it in two physical groups? A cell has one material");
+      return MeshProblem(
+        "lists a cell twice, as the elements " + std::to_string(other.number) +
+        " and " + std::to_string(cell.number) +
+        (other.material == cell.material
+           ? ""
+           : ", with the materials " + std::to_string(other.material) +
+               " and " + std::to_string(cell.material) +
+               ": is it in two physical groups? A cell has one material"));
     }
 
 
 
     // What pieces would hide: a cell twice, and what has none
-    std::string
+    void
     check_cells(const MeshContents &contents, const int dim)
     {
       std::map<Nodes, const MeshContents::Cell *> known;
       for (const MeshContents::Cell &cell : contents.cells)
       {
         if (dim == 3 && cell.nodes.size() == 5)
-          return "has pyramids (element " + std::to_string(cell.number) +
-                 "), which cannot be cut into hexahedra";
+          throw MeshProblem("has pyramids (element " +
+                            std::to_string(cell.number) +
+                            "), which cannot be cut into hexahedra");
         const auto [other, is_new] = known.emplace(in_order(cell.nodes), &cell);
         if (!is_new)
-          return twice(cell, *other->second);
+          throw twice(cell, *other->second);
       }
-      return "";
     }
   } // namespace
 
@@ -274,12 +274,10 @@ namespace MixedCracks
 
 
 
-  std::string
+  void
   cut_cells(MeshContents &contents, const int dim)
   {
-    const std::string problem = check_cells(contents, dim);
-    if (!problem.empty())
-      return problem;
+    check_cells(contents, dim);
     Means                           means(contents);
     std::vector<MeshContents::Cell> pieces;
     for (const MeshContents::Cell &cell : contents.cells)
@@ -293,6 +291,5 @@ namespace MixedCracks
     contents.cells.swap(pieces);
     cut_faces(contents, dim, means);
     extend_node_sets(contents, means);
-    return "";
   }
 } // namespace MixedCracks

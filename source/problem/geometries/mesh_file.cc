@@ -21,7 +21,6 @@
 #include <deal.II/grid/manifold_lib.h>
 
 #include <problem/geometries/checks.h>
-#include <problem/geometries/mesh_builder.h>
 #include <problem/geometries/mesh_file.h>
 #include <problem/geometries/mesh_reader.h>
 #include <problem/geometries/mesh_scan.h>
@@ -164,21 +163,23 @@ namespace MixedCracks
   MeshFile<dim>::build(const std::string          &text,
                        dealii::Triangulation<dim> &mesh) const
   {
-    const MeshScan    scan = scan_mesh(text, dim, cut_simplices);
-    MeshBuilder<dim>  builder(scan.contents);
-    const std::string problem =
-      scan.problem.empty() ? builder.build(mesh) : scan.problem;
-    require(problem.empty(),
-            subsection + "File name: the file '" + file_name + "' " + problem +
-              ".");
-    FileBoundaries    result;
-    const std::string wrong =
-      builder.set_boundary_ids(parsed_names(), mesh, result);
-    require(wrong.empty(),
-            subsection + "Boundary names: " + wrong + " ('" + file_name +
-              "').");
-    remarks = in_words(scan);
-    return result;
+    bool is_built = false;
+    try
+    {
+      const MeshScan   scan = scan_mesh(text, dim, cut_simplices);
+      MeshBuilder<dim> builder(scan.contents);
+      builder.build(mesh);
+      is_built = true;
+      remarks  = in_words(scan);
+      return builder.set_boundary_ids(parsed_names(), mesh);
+    }
+    catch (const MeshProblem &problem)
+    {
+      throw InputError(is_built ? subsection + "Boundary names: " +
+                                    problem.what() + " ('" + file_name + "')."
+                                : subsection + "File name: the file '" +
+                                    file_name + "' " + problem.what() + ".");
+    }
   }
 
 
@@ -259,15 +260,6 @@ namespace MixedCracks
 
 
   template <int dim>
-  std::optional<dealii::BoundingBox<dim>>
-  MeshFile<dim>::extent() const
-  {
-    return {};
-  }
-
-
-
-  template <int dim>
   void
   MeshFile<dim>::create(dealii::Triangulation<dim> &triangulation) const
   {
@@ -295,36 +287,26 @@ namespace MixedCracks
 
   template <int dim>
   std::string
-  MeshFile<dim>::about_mesh() const
-  {
-    return remarks;
-  }
-
-
-
-  template <int dim>
-  std::string
   MeshFile<dim>::hint_about_boundaries() const
   {
     const std::string names = subsection + "Boundary names";
-    std::string       text;
     try
     {
-      text = read_file_once(file_name, MPI_COMM_SELF, subsection + "File name");
+      const std::string text =
+        read_file_once(file_name, MPI_COMM_SELF, subsection + "File name");
+      const MeshScan             scan = scan_mesh(text, dim, cut_simplices);
+      MeshBuilder<dim>           builder(scan.contents);
+      dealii::Triangulation<dim> mesh;
+      builder.build(mesh);
+      return "The boundary of the file '" + file_name + "' has " +
+             builder.known_boundaries() + "; " + names +
+             " gives them names, as in '1 = bottom', and Geometry/Boundary "
+             "regions names parts by their position.";
     }
-    catch (const FileError &)
+    catch (const std::runtime_error &)
     {
       return "Names are given in " + names + ".";
     }
-    const MeshScan             scan = scan_mesh(text, dim, cut_simplices);
-    MeshBuilder<dim>           builder(scan.contents);
-    dealii::Triangulation<dim> mesh;
-    if (!scan.problem.empty() || !builder.build(mesh).empty())
-      return "Names are given in " + names + ".";
-    return "The boundary of the file '" + file_name + "' has " +
-           builder.known_boundaries() + "; " + names +
-           " gives them names, as in '1 = bottom', and Geometry/Boundary "
-           "regions names parts by their position.";
   }
 
 

@@ -107,12 +107,12 @@ namespace MixedCracks
 
 
 
-    std::string
+    MeshProblem
     broken_line(const std::string &kind, const std::string &line)
     {
-      return "has a broken " + kind + ": " + in_quotes(line) +
-             (has_decimal_comma(line) ? "; numbers have points, not commas"
-                                      : "");
+      return MeshProblem(
+        "has a broken " + kind + ": " + in_quotes(line) +
+        (has_decimal_comma(line) ? "; numbers have points, not commas" : ""));
     }
 
 
@@ -127,33 +127,35 @@ namespace MixedCracks
 
 
 
-    std::string
+    MeshProblem
     unusable_element(const std::string &found, const CellKind &kind)
     {
-      return "has " + found +
-             (kind.dim == 2
-                ? "; only meshes of quadrilaterals are read (in Gmsh: "
-                  "recombine, Mesh.SubdivisionAlgorithm = 1, "
-                  "two-dimensional)"
-                : "; only meshes of hexahedra are read (in Gmsh: "
-                  "transfinite volumes or extruded layers, recombined, or "
-                  "Mesh.SubdivisionAlgorithm = 2)");
+      return MeshProblem(
+        "has " + found +
+        (kind.dim == 2
+           ? "; only meshes of quadrilaterals are read (in Gmsh: "
+             "recombine, Mesh.SubdivisionAlgorithm = 1, "
+             "two-dimensional)"
+           : "; only meshes of hexahedra are read (in Gmsh: "
+             "transfinite volumes or extruded layers, recombined, or "
+             "Mesh.SubdivisionAlgorithm = 2)"));
     }
 
 
 
-    std::string
+    MeshProblem
     cut_or_remesh(const std::string &found, const CellKind &kind)
     {
-      return unusable_element(found, kind) +
-             "; Geometry/Mesh file/Cut simplices = true cuts " +
-             (kind.dim == 2 ? "each triangle into three quadrilaterals"
-                            : "each tetrahedron into four hexahedra");
+      return MeshProblem(
+        unusable_element(found, kind).what() +
+        std::string("; Geometry/Mesh file/Cut simplices = true cuts ") +
+        (kind.dim == 2 ? "each triangle into three quadrilaterals"
+                       : "each tetrahedron into four hexahedra"));
     }
 
 
 
-    std::string
+    MeshProblem
     no_cells(const bool has_faces, const CellKind &kind)
     {
       const std::string nothing = "no " + kind.name;
@@ -163,21 +165,22 @@ namespace MixedCracks
 
 
 
-    std::string
+    MeshProblem
     other_dimension(const std::string &found, const CellKind &kind)
     {
-      return "has " + found + ", but Geometry/Dimension is " +
-             std::to_string(kind.dim) + ": the mesh is one of " +
-             (kind.dim == 2 ? "three-dimensional cells"
-                            : "quadrilaterals, for 2-d");
+      return MeshProblem("has " + found + ", but Geometry/Dimension is " +
+                         std::to_string(kind.dim) + ": the mesh is one of " +
+                         (kind.dim == 2 ? "three-dimensional cells"
+                                        : "quadrilaterals, for 2-d"));
     }
 
 
 
-    std::string
+    MeshProblem
     unlisted_node(const std::string &line)
     {
-      return "has cells with nodes that it does not list: " + in_quotes(line);
+      return MeshProblem("has cells with nodes that it does not list: " +
+                         in_quotes(line));
     }
 
 
@@ -218,39 +221,25 @@ namespace MixedCracks
       std::replace(text.begin(), text.end(), '\r', '\n');
       return text;
     }
-  } // namespace
 
 
-
-  namespace
-  {
     using namespace MeshScanning;
-
-    std::string
-    scan_binary(const std::string &bytes,
-                const CellKind    &kind,
-                MeshContents      &contents)
-    {
-      Lines             lines;
-      const std::string problem = gmsh_as_lines(bytes, lines);
-      return problem.empty() ? scan_gmsh(lines, kind, contents) : problem;
-    }
 
 
 
     // By the first line
-    std::string
+    void
     scan_text(const std::string &text,
               const CellKind    &kind,
               MeshContents      &contents)
     {
       if (starts_with(text, "\xFF\xFE") || starts_with(text, "\xFE\xFF"))
-        return "is UTF-16 text; save it as ASCII or UTF-8";
+        throw MeshProblem("is UTF-16 text; save it as ASCII or UTF-8");
       Lines lines = split_list(text, '\n');
       if (lines.empty())
-        return "is empty";
+        throw MeshProblem("is empty");
       if (is_binary(text))
-        return "is binary, not text";
+        throw MeshProblem("is binary, not text");
       if (starts_with(lines.front(), "$"))
         return scan_gmsh(lines, kind, contents);
       if (starts_with(lines.front(), "*"))
@@ -262,10 +251,10 @@ namespace MixedCracks
                        lines.end(),
                        [](const std::string &line) { return line[0] == '#'; }),
         lines.end());
-      return !lines.empty() && numbers_of(lines.front()).size() == 5
-               ? scan_ucd(lines, kind, contents)
-               : "is neither a Gmsh (.msh), an Abaqus (.inp), a UCD nor a VTK "
-                 "file";
+      if (lines.empty() || numbers_of(lines.front()).size() != 5)
+        throw MeshProblem("is neither a Gmsh (.msh), an Abaqus (.inp), a UCD "
+                          "nor a VTK file");
+      scan_ucd(lines, kind, contents);
     }
   } // namespace
 
@@ -274,28 +263,26 @@ namespace MixedCracks
   MeshScan
   scan_mesh(const std::string &bytes, const int dim, const bool cut_simplices)
   {
-    const CellKind    kind  = cell_kind(dim);
-    const std::string other = name_of_other_format(bytes);
-    MeshScan          scan;
-    if (!other.empty())
-      scan.problem = "is " + other +
-                     "; Gmsh (.msh), Abaqus (.inp), UCD and legacy VTK files "
-                     "are read";
-    else if (is_binary_gmsh(bytes))
-      scan.problem = scan_binary(bytes, kind, scan.contents);
+    const CellKind kind = cell_kind(dim);
+    MeshScan       scan;
+    if (const std::string other = name_of_other_format(bytes); !other.empty())
+      throw MeshProblem("is " + other +
+                        "; Gmsh (.msh), Abaqus (.inp), UCD and legacy VTK "
+                        "files are read");
+    if (is_binary_gmsh(bytes))
+      scan_gmsh(gmsh_as_lines(bytes), kind, scan.contents);
     else
-      scan.problem = scan_text(plain(bytes), kind, scan.contents);
+      scan_text(plain(bytes), kind, scan.contents);
     const MeshContents::Cell *simplex = first_simplex(scan.contents, dim);
-    if (!scan.problem.empty() || simplex == nullptr)
+    if (simplex == nullptr)
       return scan;
-    const std::string found = shape_of_nodes(dim, simplex->nodes.size())->name +
-                              " (element " + std::to_string(simplex->number) +
-                              ")";
-    if (cut_simplices)
-      scan.problem = cut_cells(scan.contents, dim);
-    else
-      scan.problem = cut_or_remesh(found, kind);
-    scan.is_cut = cut_simplices;
+    if (!cut_simplices)
+      throw cut_or_remesh(shape_of_nodes(dim, simplex->nodes.size())->name +
+                            " (element " + std::to_string(simplex->number) +
+                            ")",
+                          kind);
+    cut_cells(scan.contents, dim);
+    scan.is_cut = true;
     return scan;
   }
 } // namespace MixedCracks

@@ -14,6 +14,7 @@
 // mesh_scan_abaqus_bodies.cc. Other keywords, as of steps and loads, are
 // skipped: the .prm says what is applied. Names have no case.
 
+#include <base/ranges.h>
 #include <base/text.h>
 
 #include <problem/geometries/mesh_scan_abaqus.h>
@@ -37,17 +38,17 @@ namespace MixedCracks
 
 
 
+    std::string
+    without_commas(std::string line)
+    {
+      std::replace(line.begin(), line.end(), ',', ' ');
+      return line;
+    }
+
+
+
     namespace
     {
-      std::string
-      without_commas(std::string line)
-      {
-        std::replace(line.begin(), line.end(), ',', ' ');
-        return line;
-      }
-
-
-
       // "*ELEMENT, TYPE=CPS4, ELSET=body": the word and its options, both in
       // upper case, with their values as they stand
       AbaqusKeyword
@@ -126,18 +127,18 @@ namespace MixedCracks
 
 
 
-    std::string
+    void
     AbaqusReader::add_node(const std::string &line)
     {
       if (in_assembly && !in_instance)
-        return ""; // reference points, numbered apart from the mesh
+        return; // reference points, numbered apart from the mesh
       const std::vector<double> node = numbers_of(without_commas(line));
       if (node.size() < 1u + kind.dim || !(node[0] >= 0. && node[0] < 1e9))
-        return broken_line("node", line);
+        throw broken_line("node", line);
       if (node.size() > 4)
-        return "has a node with " + std::to_string(node.size()) +
-               " numbers: " + in_quotes(line) +
-               "; a number and x, y, z are read (decimal commas?)";
+        throw MeshProblem("has a node with " + std::to_string(node.size()) +
+                          " numbers: " + in_quotes(line) +
+                          "; a number and x, y, z are read (decimal commas?)");
       const long int   number = std::lround(node[0]);
       dealii::Point<3> position;
       for (unsigned int d = 0; d < 3 && d + 1 < node.size(); ++d)
@@ -145,32 +146,31 @@ namespace MixedCracks
       if (in_instance && !instances.empty())
         position = instances.back().place(position);
       if (!contents.add_node(number + scope.base, position))
-        return "lists a node twice: " + in_quotes(line);
+        throw MeshProblem("lists a node twice: " + in_quotes(line));
       body_of_node.push_back(scope.base);
       if (const auto set = keyword.options.find("NSET");
           set != keyword.options.end())
         node_sets[upper_case(scope.prefix + set->second)].add(
           scope.prefix + set->second, number + scope.base);
-      return "";
     }
 
 
 
-    std::string
+    void
     AbaqusReader::add_element(const std::string &line)
     {
       if (in_assembly && !in_instance)
-        return "";
+        return;
       std::vector<long int> entry = integers_of(without_commas(line));
       if (entry.size() < 2)
-        return broken_line("element", line);
+        throw broken_line("element", line);
       const std::string   type    = upper_case(keyword.value("TYPE"));
       const std::size_t   n_nodes = entry.size() - 1;
       const ElementShape *shape   = shape_of(type, n_nodes, kind.dim);
       if (kind.dim == 2 && starts_with(type, "C3D"))
-        return other_dimension("elements " + type, kind);
+        throw other_dimension("elements " + type, kind);
       if (shape == nullptr)
-        return unusable_element(type_in_words(type, n_nodes, line), kind);
+        throw unusable_element(type_in_words(type, n_nodes, line), kind);
       // of a line the second of three nodes is that in the middle
       if (shape->dim == 1 && n_nodes == 3)
         std::swap(entry[2], entry[3]);
@@ -180,10 +180,8 @@ namespace MixedCracks
       const bool        is_block = starts_with(upper_case(set), "EB");
       const Element     listed{
         entry[0], *shape, is_block ? trailing_number(set, 0) : 0, {}};
-      const std::string problem = MeshScanning::add_element(
+      MeshScanning::add_element(
         listed, entry.begin() + 1, line, kind, contents);
-      if (!problem.empty())
-        return problem;
       AbaqusElement element;
       if (shape->dim == kind.dim)
         element.cell = static_cast<long int>(contents.cells.size()) - 1;
@@ -191,24 +189,24 @@ namespace MixedCracks
         element.face = contents.indices_of(
           entry.begin() + 1, entry.begin() + 1 + shape->n_corners);
       if (!elements.emplace(entry[0] + scope.base, element).second)
-        return "lists an element twice: " + in_quotes(line);
+        throw MeshProblem("lists an element twice: " + in_quotes(line));
       if (!set.empty())
         element_sets[upper_case(scope.prefix + set)].add(scope.prefix + set,
                                                          entry[0] + scope.base);
-      return "";
     }
 
 
 
     // Numbers, or names of other sets; with GENERATE first, last, increment
-    std::string
+    void
     AbaqusReader::add_to_set(const std::string                &line,
                              const std::string                &option,
                              std::map<std::string, AbaqusSet> &sets)
     {
       const std::string name = keyword.value(option);
       if (name.empty())
-        return "has a *" + option + " without a name (" + option + "=...)";
+        throw MeshProblem("has a *" + option + " without a name (" + option +
+                          "=...)");
       const AbaqusScope at  = keyword.options.count("INSTANCE") > 0
                                 ? scope_of(keyword.value("INSTANCE"))
                                 : scope;
@@ -216,17 +214,17 @@ namespace MixedCracks
       set.name              = scope.prefix + name;
       if (in_assembly && !in_instance && option == "NSET" &&
           keyword.options.count("INSTANCE") == 0)
-        return ""; // of reference points
+        return; // of reference points
       if (keyword.options.count("GENERATE") > 0)
       {
         const std::vector<long int> range = integers_of(without_commas(line));
         const long int              step  = range.size() == 3 ? range[2] : 1;
         if (range.size() < 2 || range.size() > 3 || step < 1 ||
             range[1] < range[0] || (range[1] - range[0]) / step > 10000000)
-          return broken_line("range in a *" + option, line);
+          throw broken_line("range in a *" + option, line);
         for (long int number = range[0]; number <= range[1]; number += step)
           set.members.push_back(number + at.base);
-        return "";
+        return;
       }
       for (const std::string &item : split_list(line, ','))
         if (const std::vector<long int> number = integers_of(item);
@@ -234,31 +232,29 @@ namespace MixedCracks
           set.members.push_back(number[0] + at.base);
         else if (const AbaqusSet *other = find_set(sets, at, item);
                  number.empty() && other != nullptr && other != &set)
-          set.members.insert(
-            set.members.end(), other->members.begin(), other->members.end());
+          append(set.members, other->members);
         else
-          return broken_line("*" + option, line);
-      return "";
+          throw broken_line("*" + option, line);
     }
 
 
 
     // An element or a set of them, and one of its sides: S1, S2, ..., of
     // shells E1, E2, ...; for TYPE=NODE a node or a set of them
-    std::string
+    void
     AbaqusReader::add_to_surface(const std::string &line)
     {
       const std::string name = keyword.value("NAME");
       if (name.empty())
-        return "has a *SURFACE without a name (NAME=...)";
+        throw MeshProblem("has a *SURFACE without a name (NAME=...)");
       const std::vector<std::string> parts = split_list(line, ',');
       if (parts.empty())
-        return broken_line("line of a *SURFACE", line);
+        throw broken_line("line of a *SURFACE", line);
       if (upper_case(keyword.value("TYPE")) == "NODE")
       {
         surfaces.push_back(
           {scope, scope.prefix + name, parts.front(), -1, line});
-        return "";
+        return;
       }
       const char letter = parts.size() == 2 && parts[1].size() == 2
                             ? static_cast<char>(std::toupper(
@@ -266,15 +262,14 @@ namespace MixedCracks
                             : ' ';
       if ((letter != 'S' && !(letter == 'E' && kind.dim == 2)) ||
           parts[1][1] < '1' || parts[1][1] > '6')
-        return broken_line("side in a *SURFACE", line);
+        throw broken_line("side in a *SURFACE", line);
       surfaces.push_back(
         {scope, scope.prefix + name, parts.front(), parts[1][1] - '1', line});
-      return "";
     }
 
 
 
-    std::string
+    void
     AbaqusReader::begin(const std::string &line)
     {
       keyword                                          = keyword_of(line);
@@ -285,10 +280,10 @@ namespace MixedCracks
                                                           "*ELCOPY",
                                                           "*SYSTEM",
                                                           "*INCLUDE"};
-      if (std::find(generators.begin(), generators.end(), keyword.word) !=
-          generators.end())
-        return "uses " + keyword.word +
-               "; only files are read that list every node and element";
+      if (contains(generators, keyword.word))
+        throw MeshProblem(
+          "uses " + keyword.word +
+          "; only files are read that list every node and element");
       if (keyword.word == "*ASSEMBLY")
         in_assembly = true;
       else if (keyword.word == "*END ASSEMBLY")
@@ -306,12 +301,11 @@ namespace MixedCracks
           sections.emplace_back(scope.prefix + keyword.value("ELSET"),
                                 material);
       }
-      return "";
     }
 
 
 
-    std::string
+    void
     AbaqusReader::add_line(const std::string &line)
     {
       const std::string &word = keyword.word;
@@ -329,20 +323,20 @@ namespace MixedCracks
       {
         const std::vector<std::string> pair = split_list(line, ',');
         if (pair.size() < 2)
-          return broken_line("*TIE", line);
+          throw broken_line("*TIE", line);
         ties.emplace_back(pair[0], pair[1]);
       }
-      return word == "*INSTANCE" ? move_instance(line) : "";
+      if (word == "*INSTANCE")
+        move_instance(line);
     }
 
 
 
-    std::string
+    void
     AbaqusReader::add(const std::string &line)
     {
-      if (keep_for_part(line))
-        return "";
-      return line[0] == '*' ? begin(line) : add_line(line);
+      if (!keep_for_part(line))
+        line[0] == '*' ? begin(line) : add_line(line);
     }
 
 
@@ -375,7 +369,7 @@ namespace MixedCracks
 
 
 
-    std::string
+    void
     scan_abaqus(const Lines    &lines,
                 const CellKind &kind,
                 MeshContents   &contents)
@@ -386,12 +380,8 @@ namespace MixedCracks
         n_instances += starts_with(upper_case(line), "*INSTANCE");
       AbaqusReader reader(kind, n_instances, contents);
       for (const std::string &line : whole)
-      {
-        const std::string problem = reader.add(line);
-        if (!problem.empty())
-          return problem;
-      }
-      return reader.finish();
+        reader.add(line);
+      reader.finish();
     }
   } // namespace MeshScanning
 } // namespace MixedCracks

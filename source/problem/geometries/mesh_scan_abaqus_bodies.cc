@@ -38,15 +38,6 @@ namespace MixedCracks
 
 
 
-      std::vector<double>
-      numbers_with_commas(std::string line)
-      {
-        std::replace(line.begin(), line.end(), ',', ' ');
-        return numbers_of(line);
-      }
-
-
-
       /// Some of the nodes of a file, found by their position.
       class NodesByPlace
       {
@@ -118,13 +109,14 @@ namespace MixedCracks
 
 
 
-    std::string
+    void
     AbaqusReader::begin_instance()
     {
       const std::string name = keyword.value("NAME");
       for (const AbaqusInstance &other : instances)
         if (other.name == upper_case(name))
-          return "has two instances with the name " + in_quotes(name);
+          throw MeshProblem("has two instances with the name " +
+                            in_quotes(name));
       in_instance = true;
       scope.base  = static_cast<long int>(instances.size()) *
                    MeshContents::numbers_per_body;
@@ -133,21 +125,20 @@ namespace MixedCracks
       instance.name = upper_case(name);
       instance.part = upper_case(keyword.value("PART"));
       instances.push_back(instance);
-      return "";
     }
 
 
 
-    std::string
+    void
     AbaqusReader::move_instance(const std::string &line)
     {
-      const std::vector<double> numbers  = numbers_with_commas(line);
+      const std::vector<double> numbers  = numbers_of(without_commas(line));
       AbaqusInstance           &here     = instances.back();
       AbaqusPlacement          &place    = here.place;
       const bool                is_shift = here.n_lines++ == 0;
       if (is_shift ? numbers.empty() || numbers.size() > 3
                    : here.n_lines > 2 || numbers.size() != 7)
-        return broken_line("place of an instance", line);
+        throw broken_line("place of an instance", line);
       for (unsigned int d = 0; d < 3; ++d)
         if (is_shift)
           place.shift[d] = d < numbers.size() ? numbers[d] : 0.;
@@ -157,49 +148,40 @@ namespace MixedCracks
           place.axis[d] = numbers[3 + d] - numbers[d];
         }
       if (is_shift)
-        return "";
+        return;
       const double length = place.axis.norm();
       place.angle         = numbers[6] * std::acos(-1.) / 180.;
       if (length == 0. && place.angle != 0.)
-        return "turns its instance about an axis of no length: " +
-               in_quotes(line);
+        throw MeshProblem("turns its instance about an axis of no length: " +
+                          in_quotes(line));
       if (length > 0.)
         place.axis /= length;
-      return "";
     }
 
 
 
-    std::string
+    void
     AbaqusReader::end_instance()
     {
       if (!in_instance || instances.empty())
-        return "has an *END INSTANCE without an *INSTANCE";
+        throw MeshProblem("has an *END INSTANCE without an *INSTANCE");
       const std::string part = instances.back().part;
-      std::string       problem;
       if (parts.count(part) > 0)
-        problem = place_part(part);
+        place_part(part);
       else if (!part.empty() && !parts.empty())
-        problem = "has an instance of the part " + in_quotes(part) +
-                  ", which it does not list";
+        throw MeshProblem("has an instance of the part " + in_quotes(part) +
+                          ", which it does not list");
       in_instance = false;
       scope       = AbaqusScope();
-      return problem;
     }
 
 
 
-    std::string
+    void
     AbaqusReader::place_part(const std::string &part)
     {
       for (const std::string &line : parts.at(part))
-      {
-        const std::string problem =
-          line[0] == '*' ? begin(line) : add_line(line);
-        if (!problem.empty())
-          return problem;
-      }
-      return "";
+        line[0] == '*' ? begin(line) : add_line(line);
     }
 
 
@@ -270,7 +252,7 @@ namespace MixedCracks
 
 
 
-    std::string
+    void
     AbaqusReader::tie(const std::string &first, const std::string &second)
     {
       const std::vector<unsigned int> moved = nodes_of_surface(first);
@@ -278,7 +260,7 @@ namespace MixedCracks
       const std::string               what =
         "ties " + in_quotes(first) + " to " + in_quotes(second);
       if (moved.empty() || kept.empty())
-        return what + ", which are not both surfaces of elements";
+        throw MeshProblem(what + ", which are not both surfaces of elements");
       const double              limit = tolerance();
       std::vector<unsigned int> becomes(contents.nodes.size());
       for (unsigned int i = 0; i < becomes.size(); ++i)
@@ -289,10 +271,10 @@ namespace MixedCracks
         const auto partners =
           kept_by_place.near(contents.nodes[node].position, limit);
         if (partners.empty())
-          return what + ", but node " +
-                 std::to_string(contents.nodes[node].number) +
-                 " of the first meets none of the second: only meshes that "
-                 "fit node by node become one";
+          throw MeshProblem(
+            what + ", but node " + std::to_string(contents.nodes[node].number) +
+            " of the first meets none of the second: only meshes that "
+            "fit node by node become one");
         becomes[node] = partners.front();
       }
       const auto rename = [&](std::vector<unsigned int> &nodes) {
@@ -310,15 +292,14 @@ namespace MixedCracks
       const auto faces = faces_of_surface(second);
       for (const auto &face : faces_of_surface(first))
         if (faces.count(face) == 0)
-          return what +
-                 ", but the first has faces that are none of the second: "
-                 "only meshes that fit face by face become one";
-      return "";
+          throw MeshProblem(
+            what + ", but the first has faces that are none of the second: "
+                   "only meshes that fit face by face become one");
     }
 
 
 
-    std::string
+    void
     AbaqusReader::check_touching() const
     {
       std::set<unsigned int> used;
@@ -333,30 +314,26 @@ namespace MixedCracks
         {
           const auto &two = contents.nodes[other];
           if (body_of_node[node] != body_of_node[other])
-            return "has instances that touch at nodes " +
-                   std::to_string(one.number) + " and " +
-                   std::to_string(two.number) +
-                   " and are not tied there: merge them into one part, or tie "
-                   "their surfaces (*TIE)";
+            throw MeshProblem(
+              "has instances that touch at nodes " +
+              std::to_string(one.number) + " and " +
+              std::to_string(two.number) +
+              " and are not tied there: merge them into one part, or tie "
+              "their surfaces (*TIE)");
         }
       }
-      return "";
     }
 
 
 
-    std::string
+    void
     AbaqusReader::join_bodies()
     {
       if (n_instances < 2)
-        return "";
+        return;
       for (const auto &[first, second] : ties)
-      {
-        const std::string problem = tie(first, second);
-        if (!problem.empty())
-          return problem;
-      }
-      return check_touching();
+        tie(first, second);
+      check_touching();
     }
   } // namespace MeshScanning
 } // namespace MixedCracks

@@ -29,12 +29,13 @@ namespace MixedCracks
 
 
 
-      std::string
+      MeshProblem
       unlisted_element(const std::string &where, const long int element)
       {
-        return "has a surface or set with element " +
-               std::to_string(element % MeshContents::numbers_per_body) +
-               ", which it does not list (" + where + ")";
+        return MeshProblem(
+          "has a surface or set with element " +
+          std::to_string(element % MeshContents::numbers_per_body) +
+          ", which it does not list (" + where + ")");
       }
     } // namespace
 
@@ -56,7 +57,7 @@ namespace MixedCracks
 
 
     // Elements of a lower dimension are skipped, but their sets name boundaries
-    std::string
+    void
     AbaqusReader::add_element_groups()
     {
       for (const auto &labelled : element_sets)
@@ -64,18 +65,17 @@ namespace MixedCracks
         {
           const auto element = elements.find(number);
           if (element == elements.end())
-            return unlisted_element(in_quotes(labelled.second.name), number);
+            throw unlisted_element(in_quotes(labelled.second.name), number);
           if (!element->second.face.empty())
             contents.faces.push_back({element->second.face,
                                       contents.group(MeshContents::Group::none,
                                                      labelled.second.name)});
         }
-      return "";
     }
 
 
 
-    std::string
+    void
     AbaqusReader::add_node_groups()
     {
       for (const auto &labelled : node_sets)
@@ -85,45 +85,45 @@ namespace MixedCracks
           continue;
         const auto nodes = contents.indices_of(members.begin(), members.end());
         if (nodes.size() != members.size())
-          return "has a node set " + in_quotes(labelled.second.name) +
-                 " with nodes that it does not list";
+          throw MeshProblem("has a node set " +
+                            in_quotes(labelled.second.name) +
+                            " with nodes that it does not list");
         contents.node_sets.push_back(
           {nodes,
            contents.group(MeshContents::Group::none, labelled.second.name)});
       }
-      return "";
     }
 
 
 
-    std::string
+    void
     AbaqusReader::add_side(const AbaqusSurfaceLine &surface,
                            const long int           number,
                            const unsigned int       group)
     {
       const auto element = elements.find(number);
       if (element == elements.end())
-        return unlisted_element(in_quotes(surface.name), number);
+        throw unlisted_element(in_quotes(surface.name), number);
       if (element->second.cell < 0)
-        return "has a surface " + in_quotes(surface.name) + " with element " +
-               std::to_string(number % MeshContents::numbers_per_body) +
-               ", which is none of the " + kind.name;
+        throw MeshProblem(
+          "has a surface " + in_quotes(surface.name) + " with element " +
+          std::to_string(number % MeshContents::numbers_per_body) +
+          ", which is none of the " + kind.name);
       const auto &nodes =
         contents.cells[static_cast<std::size_t>(element->second.cell)].nodes;
       const auto       &sides = sides_of(kind.dim, nodes.size());
       const std::size_t side  = static_cast<std::size_t>(surface.side);
       if (side >= sides.size())
-        return broken_line("side in a *SURFACE", surface.line);
+        throw broken_line("side in a *SURFACE", surface.line);
       MeshContents::Face face{{}, group};
       for (const unsigned int place : sides[side])
         face.nodes.push_back(nodes[place]);
       contents.faces.push_back(face);
-      return "";
     }
 
 
 
-    std::string
+    void
     AbaqusReader::add_surface(const AbaqusSurfaceLine &surface)
     {
       const bool            of_nodes = surface.side < 0;
@@ -135,60 +135,49 @@ namespace MixedCracks
       {
         const AbaqusSet *set = find_set(sets, surface.scope, surface.what);
         if (set == nullptr)
-          return "has a surface " + in_quotes(surface.name) +
-                 " of a set that it does not list: " + in_quotes(surface.line);
+          throw MeshProblem(
+            "has a surface " + in_quotes(surface.name) +
+            " of a set that it does not list: " + in_quotes(surface.line));
         members = set->members;
       }
       const unsigned int group =
         contents.group(surface_number(surface.name), surface.name);
       if (of_nodes)
-      {
         contents.node_sets.push_back(
           {contents.indices_of(members.begin(), members.end()), group});
-        return "";
-      }
-      for (const long int number : members)
-      {
-        const std::string problem = add_side(surface, number, group);
-        if (!problem.empty())
-          return problem;
-      }
-      return "";
+      else
+        for (const long int number : members)
+          add_side(surface, number, group);
     }
 
 
 
-    std::string
+    void
     AbaqusReader::finish()
     {
       if (parts.size() > 1 && instances.empty())
-        return "has " + std::to_string(parts.size()) +
-               " parts and no *INSTANCE that says where they stand";
+        throw MeshProblem("has " + std::to_string(parts.size()) +
+                          " parts and no *INSTANCE that says where they stand");
       if (parts.size() == 1 && instances.empty())
-      {
-        const std::string problem = place_part(parts.begin()->first);
-        if (!problem.empty())
-          return problem;
-      }
+        place_part(parts.begin()->first);
       if (contents.nodes.empty() || elements.empty())
-        return "is an Abaqus file without " +
-               std::string(contents.nodes.empty() ? "*NODE" : "*ELEMENT") +
-               " lines";
+        throw MeshProblem(
+          "is an Abaqus file without " +
+          std::string(contents.nodes.empty() ? "*NODE" : "*ELEMENT") +
+          " lines");
       if (contents.cells.empty())
       {
         bool has_faces = false;
         for (const auto &element : elements)
           has_faces = has_faces || !element.second.face.empty();
-        return no_cells(has_faces, kind);
+        throw no_cells(has_faces, kind);
       }
       add_materials();
-      std::string problem = add_element_groups();
-      if (problem.empty())
-        problem = add_node_groups();
+      add_element_groups();
+      add_node_groups();
       for (const AbaqusSurfaceLine &surface : surfaces)
-        if (problem.empty())
-          problem = add_surface(surface);
-      return problem.empty() ? join_bodies() : problem;
+        add_surface(surface);
+      join_bodies();
     }
   } // namespace MeshScanning
 } // namespace MixedCracks

@@ -33,26 +33,26 @@ namespace MixedCracks
 
 
 
-      // The lines between "$name" and "$Endname", or what is wrong with them
-      std::string
-      read_section(const Lines &lines, const std::string &name, Lines &section)
+      // The lines between "$name" and "$Endname"
+      Lines
+      read_section(const Lines &lines, const std::string &name)
       {
         const auto begin = std::find(lines.begin(), lines.end(), "$" + name);
         if (begin == lines.end())
-          return "has no section $" + name;
+          throw MeshProblem("has no section $" + name);
         const auto end = std::find(begin, lines.end(), "$End" + name);
         if (end == lines.end())
-          return "ends before $End" + name;
-        section.assign(begin + 1, end);
+          throw MeshProblem("ends before $End" + name);
+        Lines section(begin + 1, end);
         if (section.empty() || numbers_of(section.front()).empty())
-          return "has an empty or broken section $" + name;
-        return "";
+          throw MeshProblem("has an empty or broken section $" + name);
+        return section;
       }
 
 
 
       // A count; then dimension, number and, in quotes, name
-      std::string
+      void
       read_names(const Lines &section, GmshNames &names)
       {
         for (std::size_t i = 1; i < section.size(); ++i)
@@ -61,14 +61,13 @@ namespace MixedCracks
           const std::size_t  begin = line.find('"');
           const std::size_t  end   = line.rfind('"');
           if (begin == std::string::npos || end == begin)
-            return broken_line("name of a physical group", line);
+            throw broken_line("name of a physical group", line);
           const std::vector<long int> ids = integers_of(line.substr(0, begin));
           if (ids.size() != 2)
-            return broken_line("name of a physical group", line);
+            throw broken_line("name of a physical group", line);
           names[{ids[0], ids[1]}] =
             single_spaced(line.substr(begin + 1, end - begin - 1));
         }
-        return "";
       }
 
 
@@ -76,7 +75,7 @@ namespace MixedCracks
       // Numbers of points, curves, surfaces, volumes; then a line for each:
       // tag, box (4.1: of points one corner), number of physical groups,
       // these with signs for directions, and more
-      std::string
+      void
       read_entities(const Lines  &section,
                     const bool    is_4_1,
                     GmshEntities &entities)
@@ -86,7 +85,7 @@ namespace MixedCracks
         for (const long int count : counts)
           n_all += static_cast<std::size_t>(count);
         if (counts.size() != 4 || n_all != section.size() - 1)
-          return broken_line("head of $Entities", section.front());
+          throw broken_line("head of $Entities", section.front());
         std::size_t i = 0;
         for (long int dim = 0; dim < 4; ++dim)
           for (long int n = 0; n < counts[static_cast<std::size_t>(dim)]; ++n)
@@ -97,21 +96,20 @@ namespace MixedCracks
             if (entry.size() <= before || !(std::abs(entry[0]) < 1e9) ||
                 !(entry[before] >= 0.) ||
                 entry[before] > double(entry.size() - before - 1))
-              return broken_line("entity", line);
+              throw broken_line("entity", line);
             std::vector<long int> &groups =
               entities[{dim, std::lround(entry[0])}];
             for (std::size_t g = 0; double(g) < entry[before]; ++g)
               if (std::abs(entry[before + 1 + g]) < 1e9)
                 groups.push_back(std::abs(std::lround(entry[before + 1 + g])));
               else
-                return broken_line("entity", line);
+                throw broken_line("entity", line);
           }
-        return "";
       }
 
 
 
-      std::string
+      void
       add_node(const double               number,
                const std::vector<double> &numbers,
                const std::size_t          first,
@@ -120,18 +118,17 @@ namespace MixedCracks
       {
         if (numbers.size() < first + 3 ||
             !(number >= 0. && number < 2147483648.))
-          return broken_line("node", line);
-        return contents.add_node(
-                 std::lround(number),
-                 {numbers[first], numbers[first + 1], numbers[first + 2]})
-                 ? ""
-                 : "lists a node twice: " + in_quotes(line);
+          throw broken_line("node", line);
+        if (!contents.add_node(
+              std::lround(number),
+              {numbers[first], numbers[first + 1], numbers[first + 2]}))
+          throw MeshProblem("lists a node twice: " + in_quotes(line));
       }
 
 
 
       // A count; then number and place, with more numbers if @p parametric
-      std::string
+      void
       read_nodes_2(const Lines  &section,
                    const bool    parametric,
                    MeshContents &contents)
@@ -140,13 +137,9 @@ namespace MixedCracks
         {
           const std::vector<double> node = numbers_of(section[i]);
           if (node.empty() || (!parametric && node.size() != 4))
-            return broken_line("node", section[i]);
-          const std::string problem =
-            add_node(node[0], node, 1, section[i], contents);
-          if (!problem.empty())
-            return problem;
+            throw broken_line("node", section[i]);
+          add_node(node[0], node, 1, section[i], contents);
         }
-        return "";
       }
 
 
@@ -155,7 +148,7 @@ namespace MixedCracks
       // there are parametric coordinates, number of nodes. 4.0: a line for
       // each with number and place; 4.1: first all numbers, then all places.
       // Parametric coordinates stand behind the place.
-      std::string
+      void
       read_nodes_4(const Lines  &section,
                    const bool    is_4_1,
                    MeshContents &contents)
@@ -169,28 +162,24 @@ namespace MixedCracks
                                                   : section.size();
           const std::size_t           n_lines = is_4_1 ? 2 * n : n;
           if (n_lines > section.size() - i - 1)
-            return broken_line("block of nodes", section[i]);
+            throw broken_line("block of nodes", section[i]);
           for (std::size_t k = 1; k <= n; ++k)
           {
             const std::string        &place   = section[i + n_lines - n + k];
             const std::vector<double> numbers = numbers_of(place);
             const std::vector<double> tag     = numbers_of(section[i + k]);
             if (tag.empty() || (is_4_1 && tag.size() != 1))
-              return broken_line("node", section[i + k]);
-            const std::string problem =
-              add_node(tag[0], numbers, is_4_1 ? 0 : 1, place, contents);
-            if (!problem.empty())
-              return problem;
+              throw broken_line("node", section[i + k]);
+            add_node(tag[0], numbers, is_4_1 ? 0 : 1, place, contents);
           }
           i += n_lines + 1;
         }
-        return "";
       }
 
 
 
       // Both versions begin with a count
-      std::string
+      void
       read_nodes(const Lines  &section,
                  const double  version,
                  const bool    parametric,
@@ -200,65 +189,52 @@ namespace MixedCracks
         const bool                is_version_4 = version >= 4.;
         if (is_version_4 ? head.size() < 2 || head[1] > double(section.size())
                          : head[0] != double(section.size() - 1))
-          return "says it has " + section.front() +
-                 " nodes (the line after $Nodes) but lists " +
-                 std::to_string(section.size() - 1) + " lines of them";
-        const std::string problem =
-          is_version_4 ? read_nodes_4(section, version > 4.05, contents)
-                       : read_nodes_2(section, parametric, contents);
-        if (problem.empty() && is_version_4 &&
-            head[1] != double(contents.nodes.size()))
-          return "says it has " + section.front() +
-                 " (blocks, nodes, ...) but lists " +
-                 std::to_string(contents.nodes.size()) + " nodes";
-        return problem;
+          throw MeshProblem("says it has " + section.front() +
+                            " nodes (the line after $Nodes) but lists " +
+                            std::to_string(section.size() - 1) +
+                            " lines of them");
+        is_version_4 ? read_nodes_4(section, version > 4.05, contents)
+                     : read_nodes_2(section, parametric, contents);
+        if (is_version_4 && head[1] != double(contents.nodes.size()))
+          throw MeshProblem("says it has " + section.front() +
+                            " (blocks, nodes, ...) but lists " +
+                            std::to_string(contents.nodes.size()) + " nodes");
       }
     } // namespace
 
 
 
-    std::string
+    void
     scan_gmsh(const Lines &lines, const CellKind &kind, MeshContents &contents)
     {
-      Lines       section;
-      std::string problem = read_section(lines, "MeshFormat", section);
-      if (!problem.empty())
-        return problem;
-      const std::vector<double> head = numbers_of(section.front());
+      const std::string format = read_section(lines, "MeshFormat").front();
+      const std::vector<double> head = numbers_of(format);
       if (head.size() != 3 || head[0] < 2. || head[0] > 4.1 ||
           (head[0] >= 3. && head[0] < 4.))
-        return "has Gmsh's format " + in_quotes(section.front()) +
-               "; versions 2, 4.0 and 4.1 are read";
+        throw MeshProblem("has Gmsh's format " + in_quotes(format) +
+                          "; versions 2, 4.0 and 4.1 are read");
       const double version = head[0];
 
       GmshNames    names;
       GmshEntities entities;
       if (has_section(lines, "PhysicalNames"))
-      {
-        problem = read_section(lines, "PhysicalNames", section);
-        if (problem.empty())
-          problem = read_names(section, names);
-      }
-      if (problem.empty() && version >= 4. && has_section(lines, "Entities"))
-      {
-        problem = read_section(lines, "Entities", section);
-        if (problem.empty())
-          problem = read_entities(section, version > 4.05, entities);
-      }
+        read_names(read_section(lines, "PhysicalNames"), names);
+      if (version >= 4. && has_section(lines, "Entities"))
+        read_entities(
+          read_section(lines, "Entities"), version > 4.05, entities);
       // what Gmsh writes for Mesh.SaveParametric in version 2
       const bool parametric =
         version < 4. && has_section(lines, "ParametricNodes");
-      if (problem.empty())
-        problem = read_section(
-          lines, parametric ? "ParametricNodes" : "Nodes", section);
-      if (problem.empty())
-        problem = read_nodes(section, version, parametric, contents);
-      if (problem.empty())
-        problem = read_section(lines, "Elements", section);
-      return problem.empty()
-               ? scan_gmsh_elements(
-                   section, version, entities, names, kind, contents)
-               : problem;
+      read_nodes(read_section(lines, parametric ? "ParametricNodes" : "Nodes"),
+                 version,
+                 parametric,
+                 contents);
+      scan_gmsh_elements(read_section(lines, "Elements"),
+                         version,
+                         entities,
+                         names,
+                         kind,
+                         contents);
     }
   } // namespace MeshScanning
 } // namespace MixedCracks

@@ -261,22 +261,23 @@ namespace MixedCracks
 
 
 
-      std::string
-      cannot_read(const std::vector<double> &format, ByteReader &bytes)
+      void
+      require_readable(const std::vector<double> &format, ByteReader &bytes)
       {
         const std::string ascii = "; save it as ASCII (Mesh.Binary = 0)";
         if (format[0] >= 3. && format[0] < 4.05)
-          return "is a binary Gmsh file of another version than 2 and 4.1, the "
-                 "ones that are read of binary files";
+          throw MeshProblem(
+            "is a binary Gmsh file of another version than 2 and 4.1, the "
+            "ones that are read of binary files");
         if (format[2] != 8.)
-          return "is a binary Gmsh file with numbers of other than 8 bytes" +
-                 ascii;
+          throw MeshProblem(
+            "is a binary Gmsh file with numbers of other than 8 bytes" + ascii);
         if (bytes.get<Int>() != 1)
-          return "is a binary Gmsh file of a machine with another order of "
-                 "bytes, or one with changed line ends" +
-                 ascii;
+          throw MeshProblem(
+            "is a binary Gmsh file of a machine with another order of "
+            "bytes, or one with changed line ends" +
+            ascii);
         bytes.line();
-        return "";
       }
     } // namespace
 
@@ -292,18 +293,16 @@ namespace MixedCracks
 
 
 
-    std::string
-    gmsh_as_lines(const std::string &all, Lines &lines)
+    Lines
+    gmsh_as_lines(const std::string &all)
     {
       const std::vector<double> format = format_of(all);
       const bool                is_4   = format[0] >= 4.;
       ByteReader                bytes(all);
       bytes.line();
       const std::string version = bytes.line();
-      const std::string problem = cannot_read(format, bytes);
-      if (!problem.empty())
-        return problem;
-      lines = {"$MeshFormat", version};
+      require_readable(format, bytes);
+      Lines       lines = {"$MeshFormat", version};
       Translation translation{bytes, lines};
       while (bytes.n_left() > 0)
       {
@@ -321,11 +320,12 @@ namespace MixedCracks
                  line != "$PhysicalNames")
           bytes.skip_to("$End" + line.substr(1));
         if (bytes.is_broken)
-          return "is a binary Gmsh file that is cut off or broken in the "
-                 "section " +
-                 in_quotes(line);
+          throw MeshProblem(
+            "is a binary Gmsh file that is cut off or broken in the "
+            "section " +
+            in_quotes(line));
       }
-      return "";
+      return lines;
     }
   } // namespace MeshScanning
 } // namespace MixedCracks

@@ -19,6 +19,7 @@
 // Gmsh writes: the numbers of curves and surfaces). Nodes and cells are counted
 // from 0. Unknown parts are passed over line by line.
 
+#include <base/names.h>
 #include <base/text.h>
 
 #include <problem/geometries/mesh_scan_abaqus.h>
@@ -38,7 +39,7 @@ namespace MixedCracks
                                                      "MATERIAL_ID",
                                                      "CELLENTITYIDS"};
 
-      // Lines one after the other, and what was wrong with one
+      // Lines one after the other
       class Words
       {
       public:
@@ -75,23 +76,18 @@ namespace MixedCracks
         numbers(const std::size_t n, const std::string &part)
         {
           std::vector<double> all;
-          while (all.size() < n && problem.empty())
+          while (all.size() < n)
           {
             if (next_line == lines.size())
-              problem = "ends in the section " + in_quotes(part);
-            else
-            {
-              const std::string        &line = lines[next_line++];
-              const std::vector<double> some = numbers_of(line);
-              if (some.empty() || all.size() + some.size() > n)
-                problem = broken_line("line in the section " + part, line);
-              all.insert(all.end(), some.begin(), some.end());
-            }
+              throw MeshProblem("ends in the section " + in_quotes(part));
+            const std::string        &line = lines[next_line++];
+            const std::vector<double> some = numbers_of(line);
+            if (some.empty() || all.size() + some.size() > n)
+              throw broken_line("line in the section " + part, line);
+            all.insert(all.end(), some.begin(), some.end());
           }
           return all;
         }
-
-        std::string problem;
 
       private:
         const Lines &lines;
@@ -121,40 +117,26 @@ namespace MixedCracks
           , contents(contents)
         {}
 
-        std::string
+        void
         read()
         {
           std::vector<std::string> line;
-          while (words.problem.empty() && words.next(line))
+          while (words.next(line))
             read_part(line);
-          if (words.problem.empty())
-            words.problem = make_cells();
-          return words.problem;
+          make_cells();
         }
 
       private:
-        // A count at a place of a line, or 0 and a problem
+        // A count at a place of a line
         std::size_t
         count(const std::vector<std::string> &line, const std::size_t place)
         {
           const std::vector<long int> n = place < line.size()
                                             ? integers_of(line[place])
                                             : std::vector<long int>();
-          if (n.size() == 1)
-            return static_cast<std::size_t>(n[0]);
-          words.problem = broken_line("line", in_one(line));
-          return 0;
-        }
-
-
-
-        static std::string
-        in_one(const std::vector<std::string> &line)
-        {
-          std::string text;
-          for (const std::string &word : line)
-            text += (text.empty() ? "" : " ") + word;
-          return text;
+          if (n.size() != 1)
+            throw broken_line("line", join_names(line, " "));
+          return static_cast<std::size_t>(n[0]);
         }
 
 
@@ -165,9 +147,10 @@ namespace MixedCracks
           const std::string word = upper_case(line[0]);
           if (word == "DATASET" &&
               (line.size() < 2 || upper_case(line[1]) != "UNSTRUCTURED_GRID"))
-            words.problem = "is a VTK file with " + in_quotes(in_one(line)) +
-                            "; allowed is an UNSTRUCTURED_GRID";
-          else if (word == "POINTS")
+            throw MeshProblem("is a VTK file with " +
+                              in_quotes(join_names(line, " ")) +
+                              "; allowed is an UNSTRUCTURED_GRID");
+          if (word == "POINTS")
             read_points(count(line, 1));
           else if (word == "CELLS")
             read_cells(count(line, 1), count(line, 2));
@@ -187,10 +170,9 @@ namespace MixedCracks
         read_points(const std::size_t n)
         {
           const std::vector<double> all = words.numbers(3 * n, "POINTS");
-          if (words.problem.empty())
-            for (std::size_t i = 0; i < n; ++i)
-              contents.add_node(static_cast<long int>(i),
-                                {all[3 * i], all[3 * i + 1], all[3 * i + 2]});
+          for (std::size_t i = 0; i < n; ++i)
+            contents.add_node(static_cast<long int>(i),
+                              {all[3 * i], all[3 * i + 1], all[3 * i + 2]});
         }
 
 
@@ -213,8 +195,7 @@ namespace MixedCracks
             return;
           }
           const std::vector<double> all = words.numbers(second, "CELLS");
-          for (std::size_t i = 0; i < all.size() && words.problem.empty();
-               i += cells.back().size() + 1)
+          for (std::size_t i = 0; i < all.size(); i += cells.back().size() + 1)
             add_list(all, double(i) + 1., double(i) + 1. + all[i]);
         }
 
@@ -228,13 +209,11 @@ namespace MixedCracks
           cells.emplace_back();
           if (!is_index(begin) || !is_index(end) || end < begin ||
               end > double(all.size()))
-            words.problem = "has a broken section CELLS";
-          else
-            for (std::size_t i = static_cast<std::size_t>(begin);
-                 double(i) < end;
-                 ++i)
-              cells.back().push_back(
-                is_index(all[i]) ? static_cast<long int>(all[i]) : -1);
+            throw MeshProblem("has a broken section CELLS");
+          for (std::size_t i = static_cast<std::size_t>(begin); double(i) < end;
+               ++i)
+            cells.back().push_back(
+              is_index(all[i]) ? static_cast<long int>(all[i]) : -1);
         }
 
 
@@ -264,8 +243,7 @@ namespace MixedCracks
               return;
             const std::size_t n_components = count(line, 1);
             const std::size_t n            = count(line, 2);
-            if (!in_cell_data || n_components != 1 || n != cells.size() ||
-                !words.problem.empty())
+            if (!in_cell_data || n_components != 1 || n != cells.size())
               return;
             keep(line[0], words.numbers(n, "FIELD"));
           }
@@ -281,12 +259,13 @@ namespace MixedCracks
 
 
 
-        std::string
+        void
         make_cells()
         {
           if (cells.empty() || types.size() != cells.size())
-            return "is a VTK file with " + std::to_string(cells.size()) +
-                   " CELLS and " + std::to_string(types.size()) + " CELL_TYPES";
+            throw MeshProblem("is a VTK file with " +
+                              std::to_string(cells.size()) + " CELLS and " +
+                              std::to_string(types.size()) + " CELL_TYPES");
           const std::vector<double> *ids_of_cells = nullptr;
           for (const std::string &name : names_of_ids)
             if (ids_of_cells == nullptr && ids.count(name) > 0)
@@ -295,16 +274,15 @@ namespace MixedCracks
           for (std::size_t i = 0; i < cells.size(); ++i)
           {
             const double id = ids_of_cells == nullptr ? 0. : (*ids_of_cells)[i];
-            const std::string problem = make_cell(i, id, has_faces);
-            if (!problem.empty())
-              return problem;
+            make_cell(i, id, has_faces);
           }
-          return contents.cells.empty() ? no_cells(has_faces, kind) : "";
+          if (contents.cells.empty())
+            throw no_cells(has_faces, kind);
         }
 
 
 
-        std::string
+        void
         make_cell(const std::size_t i, const double id, bool &has_faces)
         {
           std::vector<long int> nodes = cells[i];
@@ -321,18 +299,18 @@ namespace MixedCracks
           const std::string   where = "cell " + std::to_string(i);
           const ElementShape *shape = shape_of_vtk(type);
           if (shape == nullptr)
-            return unusable_element("cells of VTK's type " +
-                                      std::to_string(type) + " (" + where + ")",
-                                    kind);
+            throw unusable_element("cells of VTK's type " +
+                                     std::to_string(type) + " (" + where + ")",
+                                   kind);
           if (nodes.size() != shape->n_nodes)
-            return broken_line("list of nodes", where);
+            throw broken_line("list of nodes", where);
           Element element{static_cast<long int>(i), *shape, 0, {}};
           if (is_index(id))
             element.material = static_cast<long int>(id);
           if (shape->dim == kind.dim - 1 && is_index(id) && id > 0.)
             element.groups.push_back(contents.group(element.material, ""));
           has_faces = has_faces || shape->dim == kind.dim - 1;
-          return add_element(element, nodes.begin(), where, kind, contents);
+          add_element(element, nodes.begin(), where, kind, contents);
         }
 
 
@@ -349,14 +327,14 @@ namespace MixedCracks
 
 
 
-    std::string
+    void
     scan_vtk(const Lines &lines, const CellKind &kind, MeshContents &contents)
     {
       // an empty title is no line
       for (std::size_t i = 1; i < std::min<std::size_t>(lines.size(), 3); ++i)
         if (upper_case(lines[i]) == "ASCII")
           return VtkReader(lines, i + 1, kind, contents).read();
-      return "is a VTK file without the line ASCII";
+      throw MeshProblem("is a VTK file without the line ASCII");
     }
   } // namespace MeshScanning
 } // namespace MixedCracks

@@ -13,6 +13,7 @@
 // makes the lines does not know left from right.
 
 #include <base/errors.h>
+#include <base/ranges.h>
 #include <base/text.h>
 
 #include <deal.II/base/patterns.h>
@@ -73,8 +74,7 @@ namespace MixedCracks
   MirroredMesh::is_mirrored(const unsigned int axis) const
   {
     const std::vector<std::string> words = split_list(axes, ',');
-    return std::find(words.begin(), words.end(), names_of_axes[axis]) !=
-           words.end();
+    return contains(words, names_of_axes[axis]);
   }
 
 
@@ -98,8 +98,7 @@ namespace MixedCracks
     const std::string found =
       subsection + "Mirrored mesh: found " + in_quotes(axes);
     const std::vector<std::string> words = split_list(axes, ',');
-    if (words.size() > 1 &&
-        std::find(words.begin(), words.end(), "none") != words.end())
+    if (words.size() > 1 && contains(words, "none"))
       throw InputError(found + "; allowed is 'none' alone, or x, y or both.");
     for (unsigned int axis = 0; axis < 2; ++axis)
       if (is_mirrored(axis) && are_equal(lines(axis, fixed[axis], cell_size),
@@ -125,8 +124,7 @@ namespace MixedCracks
     {
       const double mirrored = lines.front() + lines.back() - *line;
       const bool   is_near =
-        mirrored - before < least ||
-        std::any_of(fixed.begin(), fixed.end(), [&](const double other) {
+        mirrored - before < least || any_of(fixed, [&](const double other) {
           return std::abs(mirrored - other) < least;
         });
       if (is_near)

@@ -13,17 +13,8 @@
 #include <problem/geometries/plane_geometry.h>
 #include <problem/geometries/round_hole.h>
 
-#include <utility>
-
 namespace MixedCracks
 {
-  template <int dim>
-  PlaneGeometry<dim>::PlaneGeometry(std::unique_ptr<PlaneFigure> figure)
-    : figure(std::move(figure))
-  {}
-
-
-
   template <int dim>
   PlaneGeometry<dim>::PlaneGeometry(const PlaneGeometry &other,
                                     const double         factor)
@@ -53,15 +44,6 @@ namespace MixedCracks
     if (dim == 3 && !figure->own_thickness())
       require_thickness_cells(
         thickness_cells, figure->n_grid_cells(), figure->subsection());
-  }
-
-
-
-  template <int dim>
-  double
-  PlaneGeometry<dim>::depth() const
-  {
-    return figure->own_thickness().value_or(this->thickness());
   }
 
 
@@ -104,24 +86,6 @@ namespace MixedCracks
     }
     if (const auto hole = figure->round_hole())
       make_round(hole->boundary, hole->center, triangulation);
-  }
-
-
-
-  template <int dim>
-  std::optional<double>
-  PlaneGeometry<dim>::n_coarse_cells() const
-  {
-    return figure->n_cells() * (dim == 3 ? thickness_cells : 1.);
-  }
-
-
-
-  template <int dim>
-  std::unique_ptr<Geometry<dim>>
-  PlaneGeometry<dim>::coarser(const double factor) const
-  {
-    return std::make_unique<PlaneGeometry>(*this, factor);
   }
 
 

@@ -72,11 +72,7 @@ namespace MixedCracks
                       "the slit are doubled (but for its tip), and the phase "
                       "field is 0 on it.",
                       Double(0.));
-    prm.add_parameter("Cell size",
-                      measures.cell_size,
-                      "Wanted size of the cells of the coarse mesh, before "
-                      "refinement; mm.",
-                      Double(0.));
+    add_cell_size(prm, measures.cell_size);
     measures.mirrored.add_parameters(prm);
   }
 

@@ -60,11 +60,7 @@ namespace MixedCracks
                       upper_corner,
                       "The corner with the largest coordinates; mm.",
                       List(Double(), dim, dim));
-    prm.add_parameter("Cell size",
-                      cell_size,
-                      "Wanted size of the cells of the coarse mesh, before "
-                      "refinement; mm.",
-                      Double(0.));
+    add_cell_size(prm, cell_size);
     prm.add_parameter(
       "Cells",
       cells,

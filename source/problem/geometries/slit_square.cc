@@ -32,13 +32,6 @@ namespace MixedCracks
 
 
 
-  SlitSquare::SlitSquare(const unsigned int dim)
-    : dim(dim)
-    , cell_size(dim == 2 ? 0.05 : 0.25)
-  {}
-
-
-
   std::string
   SlitSquare::subsection() const
   {
@@ -70,11 +63,7 @@ namespace MixedCracks
                       "Length of the slit in x; mm. Its nodes are doubled (but "
                       "for the tip), and the phase field is 0 on it.",
                       Double(0.));
-    prm.add_parameter("Cell size",
-                      cell_size,
-                      "Wanted size of the cells of the coarse mesh, before "
-                      "refinement; mm.",
-                      Double(0.));
+    add_cell_size(prm, cell_size);
     mirrored.add_parameters(prm);
   }
 
