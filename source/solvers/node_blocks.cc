@@ -4,7 +4,7 @@
 //   y_I = sum over nodes J of  A_IJ x_J,      A_IJ in R^(d x d)
 //
 // A product reads each entry once, so that its time is that of the memory: 12
-// bytes per entry in the rows of Epetra, 4 to 5.8 here (one index per block,
+// bytes per entry in the rows of Epetra, 5 to 5.8 here (one index per block,
 // and in space a fourth row of zeros, for four entries of a column are one
 // register). x, y and the sums are in double precision: the product is linear
 // to all digits, which GMRES with a fixed preconditioner relies on, and A
