@@ -197,13 +197,12 @@ namespace MixedCracks
     stiffness.assemble(assembler.geometry(cell), isotropic);
     const FiniteElement<dim> &element = fields.elastic.get_fe();
     for (unsigned int i = 0; i < local.m(); ++i)
-      for (unsigned int j = 0; j < local.n(); ++j)
-      {
-        const auto [d, a] = element.system_to_component_index(i);
-        const auto [e, b] = element.system_to_component_index(j);
-        if (d < dim && e < dim)
+    {
+      const auto [d, a] = element.system_to_component_index(i);
+      for (unsigned int j = 0; j < local.n() && d < dim; ++j)
+        if (const auto [e, b] = element.system_to_component_index(j); e < dim)
           local(i, j) = stiffness.entry(a, d, b, e);
-      }
+    }
   }
 
 

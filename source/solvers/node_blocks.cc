@@ -76,7 +76,7 @@ namespace MixedCracks
 
 
 
-    void
+    inline __attribute__((always_inline)) void
     multiply(const int     n_components,
              const Rows   &rows,
              double       *result,
@@ -95,8 +95,7 @@ namespace MixedCracks
                   double       *result,
                   const double *source)
     {
-      n_components == 2 ? multiply_2(rows, result, source)
-                        : multiply_3(rows, result, source);
+      multiply(n_components, rows, result, source);
     }
   } // namespace
 
