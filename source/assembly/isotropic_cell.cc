@@ -182,7 +182,7 @@ namespace MixedCracks
     AssertThrow(n == n_linear || n == n_quadratic, ExcNotImplemented());
     const Points points{geometry.weights.size(),
                         reference_gradients.data(),
-                        geometry.inverse_jacobians.front().begin_raw(),
+                        &geometry.inverse_jacobians.front()[0][0],
                         geometry.weights.data(),
                         cell.identity.data(),
                         cell.volume.data()};
