@@ -4,6 +4,8 @@
 
 #include <assembly/isotropic_cell.h>
 
+#include <base/saddle_point_product.h>
+
 #include <deal.II/base/quadrature.h>
 
 #include <deal.II/dofs/dof_handler.h>
@@ -18,37 +20,44 @@
 namespace MixedCracks
 {
   /// Products with the elastic matrix cell by cell, several cells at a time in
-  /// the lanes of vector registers (deal.II's MatrixFree). Vectors are arrays
-  /// of the owned unknowns in ascending order. Constrained ones are read by
-  /// their constraints, and their own entry of a result is 0. Collective.
+  /// the lanes of vector registers (deal.II's MatrixFree). Constrained unknowns
+  /// are read by their constraints, and their own entry of a result is 0.
+  /// Collective.
   template <int dim>
   class CellProducts
   {
   public:
+    using Vector    = SaddlePointProduct::Vector;
+    using RangeWork = SaddlePointProduct::RangeWork;
+
     virtual ~CellProducts() = default;
 
+    /// Make @p vector one of all owned unknowns, zero.
+    virtual void reinit(Vector &vector) const = 0;
+
     /// At the quadrature points of owned cell number @p cell, in the order of
-    /// the active cells. To be called for all of them, then compress().
+    /// the active cells. To be called for all of them.
     virtual void
     set_tangents(unsigned int                             cell,
                  const std::vector<ElasticResponse<dim>> &responses) = 0;
-
-    virtual void compress() = 0;
 
     /// The tangents of one owned cell, if they are isotropic; false if not.
     virtual bool read_tangents(unsigned int   cell,
                                IsotropicCell &result) const = 0;
 
-    /// (u, p) -> K (u, p)
-    virtual void multiply(double *result, const double *source) const = 0;
+    /// (u, p) -> K (u, p), see SaddlePointProduct::vmult()
+    virtual void multiply(Vector          &result,
+                          const Vector    &source,
+                          const RangeWork &before,
+                          const RangeWork &after) const = 0;
 
     /// (., p) -> (B^T p, 0)
-    virtual void pressure_forces(double       *result,
-                                 const double *source) const = 0;
+    virtual void pressure_forces(Vector       &result,
+                                 const Vector &source) const = 0;
 
     /// Of the displacements; that of pressures is 0. What a hanging node adds
     /// to the nodes that it depends on is taken linear in their weights.
-    virtual void diagonal(double *result) const = 0;
+    virtual void diagonal(Vector &result) const = 0;
 
     virtual unsigned int n_lanes() const = 0;
 

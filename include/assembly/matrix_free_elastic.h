@@ -29,13 +29,21 @@ namespace MixedCracks
     void update(Assembler<dim> &assembler);
 
     void
-    reinit(LinearAlgebra::Vector &vector) const override
+    reinit(Vector &vector) const override
     {
-      vector.reinit(fields.elastic_dofs.owned, fields.communicator());
+      cells->reinit(vector);
     }
 
-    void vmult(LinearAlgebra::Vector       &result,
-               const LinearAlgebra::Vector &source) const override;
+    void
+    vmult(Vector          &result,
+          const Vector    &source,
+          const RangeWork &before,
+          const RangeWork &after) const override
+    {
+      cells->multiply(result, source, before, after);
+    }
+
+    void vmult(Vector &result, const Vector &source) const override;
 
     /// The tangents of one owned cell, if they are isotropic.
     bool
@@ -44,10 +52,13 @@ namespace MixedCracks
       return cells->read_tangents(cell, result);
     }
 
-    void pressure_forces(double       *forces,
-                         const double *pressures) const override;
+    void
+    pressure_forces(Vector &forces, const Vector &pressures) const override
+    {
+      cells->pressure_forces(forces, pressures);
+    }
 
-    void diagonal(LinearAlgebra::Vector &result) const override;
+    void diagonal(Vector &result) const override;
 
     /// Cells that are integrated at a time.
     unsigned int
@@ -67,13 +78,10 @@ namespace MixedCracks
     const Fields<dim>                 &fields;
     const Constraints<dim>            &constraints;
     std::unique_ptr<CellProducts<dim>> cells;
-    /// positions of owned displacements and pressures
-    std::vector<unsigned int> displacements, pressures;
-    std::vector<unsigned int> constrained;
+    std::vector<unsigned int>          constrained; ///< positions of owned ones
     /// what stands on the diagonal where nothing else does, N/mm^dim
-    double                      constrained_diagonal = 1.;
-    std::vector<double>         diagonal_entries;
-    mutable std::vector<double> source_values, result_values;
+    double constrained_diagonal = 1.;
+    Vector diagonal_entries;
   };
 } // namespace MixedCracks
 

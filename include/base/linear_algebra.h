@@ -2,6 +2,7 @@
 #ifndef mixed_cracks_base_linear_algebra_h
 #define mixed_cracks_base_linear_algebra_h
 
+#include <deal.II/lac/la_parallel_vector.h>
 #include <deal.II/lac/trilinos_sparse_matrix.h>
 #include <deal.II/lac/trilinos_sparsity_pattern.h>
 #include <deal.II/lac/trilinos_vector.h>
@@ -16,6 +17,9 @@ namespace MixedCracks
     using Vector          = dealii::TrilinosWrappers::MPI::Vector;
     using SparseMatrix    = dealii::TrilinosWrappers::SparseMatrix;
     using SparsityPattern = dealii::TrilinosWrappers::SparsityPattern;
+    /// Of products without a matrix, and of iterative solvers
+    using DistributedVector =
+      dealii::LinearAlgebra::distributed::Vector<double>;
   } // namespace LinearAlgebra
 } // namespace MixedCracks
 

@@ -20,28 +20,30 @@ namespace MixedCracks
                      const std::vector<bool>           &is_pressure);
 
     void
-    reinit(LinearAlgebra::Vector &vector) const override
+    reinit(Vector &vector) const override
     {
       vector.reinit(matrix.locally_owned_range_indices(),
                     matrix.get_mpi_communicator());
     }
 
-    void
-    vmult(LinearAlgebra::Vector       &result,
-          const LinearAlgebra::Vector &source) const override
-    {
-      matrix.vmult(result, source);
-    }
+    void vmult(Vector          &result,
+               const Vector    &source,
+               const RangeWork &before,
+               const RangeWork &after) const override;
+
+    void vmult(Vector &result, const Vector &source) const override;
 
     /// With the B^T of the construction.
-    void pressure_forces(double       *forces,
-                         const double *pressures) const override;
+    void pressure_forces(Vector       &forces,
+                         const Vector &pressures) const override;
 
-    void diagonal(LinearAlgebra::Vector &result) const override;
+    void diagonal(Vector &result) const override;
 
   private:
     const LinearAlgebra::SparseMatrix &matrix;
+    const std::vector<bool>            is_pressure;
     std::unique_ptr<Epetra_CrsMatrix>  coupling;
+    mutable std::vector<double>        compressed_forces, compressed_pressures;
   };
 } // namespace MixedCracks
 

@@ -61,6 +61,7 @@ namespace MixedCracks
     double operator_complexity() const;
 
   private:
+    using Vector = SaddlePointProduct::Vector;
     class ScaledMatrix;
     class Preconditioner;
 
@@ -76,12 +77,26 @@ namespace MixedCracks
     void set_up_two_levels(const AuxiliaryMatrices          &auxiliary,
                            std::vector<std::vector<double>> &modes);
 
-    /// Continue from @p solution until the residual is below
+    /// Continue from what is found already until the residual is below
     /// @p relative_tolerance of the right hand side, both scaled, or an old
     /// hierarchy has grown too slow.
     LinearOutcome iterate(double                       relative_tolerance,
-                          LinearAlgebra::Vector       &solution,
                           const LinearAlgebra::Vector &right_hand_side);
+
+    /// The same, by an old hierarchy or a new one.
+    LinearOutcome find(const LinearAlgebra::Vector &right_hand_side,
+                       double                       relative_tolerance);
+
+    /// Multiply the rows of pressures so that they count as those of
+    /// displacements do.
+    void scale_pressure_rows(Vector &vector) const;
+
+    /// What owned row @p i is multiplied by.
+    double
+    scale_of(const unsigned int i) const
+    {
+      return system.is_pressure[i] ? pressure_scale : 1.;
+    }
 
     const SaddlePointProduct &
     product() const
@@ -95,6 +110,7 @@ namespace MixedCracks
     LinearSystem               system;
     bool                       has_pressure = false; // on any rank
     std::vector<bool>          is_displacement;
+    std::vector<unsigned int>  pressures, constrained; // positions of owned
     std::unique_ptr<Multigrid> multigrid;
     /// from coarse displacements to all; null where multigrid works on A
     const Epetra_CrsMatrix            *interpolation = nullptr;
@@ -103,7 +119,8 @@ namespace MixedCracks
     std::unique_ptr<MassSolver>        mass_solver;
     /// of LinearSystem::matrix, if there is one
     std::unique_ptr<AssembledProduct> assembled;
-    LinearAlgebra::Vector             row_scale;
+    Vector                            known, found;
+    double                            pressure_scale  = 1.;
     double                            matrix_diagonal = 0.; // mean, of A
     bool                              is_old          = false;
     /// of the last new hierarchy that has one, and whether it is the present

@@ -5,6 +5,7 @@
 #include <base/compat.h>
 #include <base/saddle_point_product.h>
 
+#include <deal.II/lac/diagonal_matrix.h>
 #include <deal.II/lac/precondition.h>
 
 #include <memory>
@@ -19,49 +20,61 @@ namespace MixedCracks
   class ChebyshevSmoother
   {
   public:
+    using Vector = SaddlePointProduct::Vector;
+
     /// @p chosen: one entry per owned row, which unknowns are smoothed.
     /// @p product must outlive this. Collective.
-    ChebyshevSmoother(const SaddlePointProduct    &product,
-                      const LinearAlgebra::Vector &like,
-                      const std::vector<bool>     &chosen);
+    ChebyshevSmoother(const SaddlePointProduct &product,
+                      const std::vector<bool>  &chosen);
 
     /// Take new values of the matrix, with the old bounds of the spectrum.
     void reinit();
 
     /// Improve the chosen unknowns of @p solution. Collective.
-    void smooth(LinearAlgebra::Vector       &solution,
-                const LinearAlgebra::Vector &right_hand_side) const;
+    void smooth(Vector &solution, const Vector &right_hand_side) const;
 
   private:
-    // dealii::DiagonalMatrix wants a vector that is not distributed here
-    struct Scaling
-    {
-      LinearAlgebra::Vector factors;
+    using Scaling   = dealii::DiagonalMatrix<Vector>;
+    using RangeWork = SaddlePointProduct::RangeWork;
 
-      void
-      vmult(LinearAlgebra::Vector       &result,
-            const LinearAlgebra::Vector &vector) const
-      {
-        result = vector;
-        result.scale(factors);
-      }
-    };
-
-    // what deal.II wants of a matrix
+    // what deal.II wants of a matrix. The second is for the polynomial: it
+    // combines the vectors of the recurrence while the product is in the cache.
     struct Product : public Compat::Observed
     {
       const SaddlePointProduct *product = nullptr;
 
       void
-      vmult(LinearAlgebra::Vector       &result,
-            const LinearAlgebra::Vector &vector) const
+      vmult(Vector &result, const Vector &vector) const
       {
         product->vmult(result, vector);
       }
+
+      void
+      vmult(Vector          &result,
+            const Vector    &vector,
+            const RangeWork &before,
+            const RangeWork &after) const
+      {
+        product->vmult(result, vector, before, after);
+      }
+
+      // would be asked for the diagonal, had the polynomial none
+      dealii::types::global_dof_index n_rows = 0;
+
+      dealii::types::global_dof_index
+      m() const
+      {
+        return n_rows;
+      }
+
+      double
+      el(unsigned int, unsigned int) const
+      {
+        throw dealii::ExcNotImplemented();
+      }
     };
 
-    using Polynomial =
-      dealii::PreconditionChebyshev<Product, LinearAlgebra::Vector, Scaling>;
+    using Polynomial = dealii::PreconditionChebyshev<Product, Vector, Scaling>;
 
     double largest_eigenvalue() const;
 

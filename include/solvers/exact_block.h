@@ -15,6 +15,8 @@ namespace MixedCracks
   class ExactBlock
   {
   public:
+    using Vector = SaddlePointProduct::Vector;
+
     /// @p block: K_cc, in numbers of its own. @p rows: positions of its owned
     /// rows among those of @p whole. All must outlive this.
     ExactBlock(const SaddlePointProduct          &whole,
@@ -31,15 +33,15 @@ namespace MixedCracks
     }
 
     /// Improve the chosen unknowns of @p solution.
-    void smooth(LinearAlgebra::Vector       &solution,
-                const LinearAlgebra::Vector &right_hand_side) const;
+    void smooth(Vector &solution, const Vector &right_hand_side) const;
 
   private:
     const SaddlePointProduct        &whole;
     const std::vector<unsigned int> &rows;
     mutable DirectSolver             solver;
     LinearOutcome                    outcome;
-    mutable LinearAlgebra::Vector    product, residual, correction;
+    mutable Vector                   product;
+    mutable LinearAlgebra::Vector    residual, correction;
   };
 } // namespace MixedCracks
 

@@ -29,6 +29,7 @@
 
 #include <assembly/cell_products.h>
 #include <assembly/lane_response.h>
+#include <assembly/lane_tangents.templates.h>
 
 #include <deal.II/fe/fe_q.h>
 
@@ -61,9 +62,10 @@ namespace MixedCracks
     class MatrixFreeProducts : public CellProducts<dim>
     {
     public:
-      using Lanes  = VectorizedArray<double, lanes>;
-      using Free   = MatrixFree<dim, double, Lanes>;
-      using Vector = dealii::LinearAlgebra::distributed::Vector<double>;
+      using Lanes = VectorizedArray<double, lanes>;
+      using Free  = MatrixFree<dim, double, Lanes>;
+      using typename CellProducts<dim>::Vector;
+      using typename CellProducts<dim>::RangeWork;
 
       MatrixFreeProducts(const Mapping<dim>              &mapping,
                          const DoFHandler<dim>           &handler,
@@ -73,8 +75,6 @@ namespace MixedCracks
         data.tasks_parallel_scheme = Free::AdditionalData::none;
         data.mapping_update_flags  = update_gradients | update_JxW_values;
         free.reinit(mapping, handler, constraints, QGauss<1>(3), data);
-        free.initialize_dof_vector(source_vector);
-        free.initialize_dof_vector(result_vector);
         number_cells(handler);
         reference_gradients(FE_Q<dim>(2));
       }
@@ -86,12 +86,6 @@ namespace MixedCracks
         tangents.set(cell, responses);
       }
 
-      void
-      compress() override
-      {
-        tangents.compress();
-      }
-
       bool
       read_tangents(const unsigned int cell,
                     IsotropicCell     &result) const override
@@ -100,24 +94,37 @@ namespace MixedCracks
       }
 
       void
-      multiply(double *result, const double *source) const override
+      reinit(Vector &vector) const override
       {
-        read(source);
-        loop(&MatrixFreeProducts::integrate, result);
+        free.initialize_dof_vector(vector);
       }
 
       void
-      pressure_forces(double *result, const double *source) const override
+      multiply(Vector          &result,
+               const Vector    &source,
+               const RangeWork &before,
+               const RangeWork &after) const override
       {
-        read(source);
-        loop(&MatrixFreeProducts::integrate_pressure_forces, result);
+        free.cell_loop(
+          &MatrixFreeProducts::integrate, this, result, source, before, after);
       }
 
       void
-      diagonal(double *result) const override
+      pressure_forces(Vector &result, const Vector &source) const override
       {
-        source_vector = 0.;
-        loop(&MatrixFreeProducts::integrate_diagonal, result);
+        free.cell_loop(&MatrixFreeProducts::integrate_pressure_forces,
+                       this,
+                       result,
+                       source,
+                       true);
+      }
+
+      void
+      diagonal(Vector &result) const override
+      {
+        const Vector none(result);
+        free.cell_loop(
+          &MatrixFreeProducts::integrate_diagonal, this, result, none, true);
       }
 
       unsigned int
@@ -129,9 +136,7 @@ namespace MixedCracks
       std::size_t
       memory_consumption() const override
       {
-        return free.memory_consumption() +
-               2 * source_vector.memory_consumption() +
-               tangents.memory_consumption();
+        return free.memory_consumption() + tangents.memory_consumption();
       }
 
     private:
@@ -172,28 +177,6 @@ namespace MixedCracks
               element.shape_grad(lexicographic[a], quadrature.point(q)));
       }
 
-      void
-      read(const double *source) const
-      {
-        std::copy(source,
-                  source + source_vector.locally_owned_size(),
-                  source_vector.begin());
-      }
-
-      /// Over all batches, from source_vector.
-      void
-      loop(void (MatrixFreeProducts::*integrals)(const Free &,
-                                                 Vector &,
-                                                 const Vector &,
-                                                 const Range &) const,
-           double *result) const
-      {
-        free.cell_loop(integrals, this, result_vector, source_vector, true);
-        std::copy(result_vector.begin(),
-                  result_vector.begin() + result_vector.locally_owned_size(),
-                  result);
-      }
-
       void integrate(const Free   &free,
                      Vector       &result,
                      const Vector &source,
@@ -218,13 +201,16 @@ namespace MixedCracks
       void
       by_kind(const unsigned int batch, const Body &body) const
       {
+        using Graded = std::integral_constant<TangentKind, TangentKind::graded>;
         using Isotropic =
           std::integral_constant<TangentKind, TangentKind::isotropic>;
         using Symmetric =
           std::integral_constant<TangentKind, TangentKind::symmetric>;
         using Finite = std::integral_constant<TangentKind, TangentKind::finite>;
         const TangentKind kind = tangents.kind(batch);
-        if (kind == TangentKind::isotropic)
+        if (kind == TangentKind::graded)
+          body(Graded());
+        else if (kind == TangentKind::isotropic)
           body(Isotropic());
         else if (kind == TangentKind::symmetric)
           body(Symmetric());
@@ -236,7 +222,6 @@ namespace MixedCracks
       LaneTangents<dim, Lanes> tangents;
       /// of the shape functions, point by point, on the reference cell
       std::vector<Tensor<1, dim>> gradients;
-      mutable Vector              source_vector, result_vector;
     };
 
 
@@ -248,16 +233,18 @@ namespace MixedCracks
                                                       Displacement      &u,
                                                       Pressure &p) const
     {
-      const Lanes *numbers = tangents.numbers(batch);
+      PointNumbers<dim, Lanes, kind> numbers(tangents, batch);
       for (unsigned int q = 0; q < n_points; ++q)
       {
         Tensor<2, dim, Lanes> stress;
         Lanes                 constraint;
-        respond<kind>(
-          numbers, u.get_gradient(q), p.get_value(q), stress, constraint);
+        respond<numbers.kind>(numbers.next(),
+                              u.get_gradient(q),
+                              p.get_value(q),
+                              stress,
+                              constraint);
         u.submit_gradient(stress, q);
         p.submit_value(constraint, q);
-        numbers += LaneTangents<dim, Lanes>::n_numbers(kind);
       }
     }
 
@@ -303,22 +290,22 @@ namespace MixedCracks
         p.reinit(batch);
         p.gather_evaluate(source, EvaluationFlags::values);
         by_kind(batch, [&](const auto kind) {
-          const Lanes *numbers = tangents.numbers(batch);
+          PointNumbers<dim, Lanes, kind> numbers(tangents, batch);
+          constexpr unsigned int         n =
+            LaneTangents<dim, Lanes>::n_numbers(numbers.kind);
           for (unsigned int q = 0; q < n_points; ++q)
           {
-            constexpr unsigned int n =
-              LaneTangents<dim, Lanes>::n_numbers(kind);
+            const Lanes *here = numbers.next();
             if constexpr (kind == TangentKind::finite)
             {
-              const Lanes          *coupling = numbers + n - dim * dim - 1;
+              const Lanes          *coupling = here + n - dim * dim - 1;
               Tensor<2, dim, Lanes> stress;
               for (unsigned int i = 0; i < dim * dim; ++i)
                 stress[i / dim][i % dim] = coupling[i] * p.get_value(q);
               u.submit_gradient(stress, q);
             }
             else
-              u.submit_divergence(numbers[n - 3] * p.get_value(q), q);
-            numbers += n;
+              u.submit_divergence(here[n - 3] * p.get_value(q), q);
           }
         });
         u.integrate_scatter(EvaluationFlags::gradients, result);
@@ -341,20 +328,20 @@ namespace MixedCracks
         Lanes *sums = u.begin_dof_values();
         std::fill(sums, sums + dim * n_nodes, Lanes(0.));
         by_kind(batch, [&](const auto kind) {
-          const Lanes *numbers = tangents.numbers(batch);
+          PointNumbers<dim, Lanes, kind> numbers(tangents, batch);
           for (unsigned int q = 0; q < n_points; ++q)
           {
             const Tensor<2, dim, Lanes> inverse = u.inverse_jacobian(q);
+            const Lanes                *here    = numbers.next();
             for (unsigned int a = 0; a < n_nodes; ++a)
             {
               Tensor<1, dim, Lanes> gradient;
               for (unsigned int d = 0; d < dim; ++d)
                 for (unsigned int e = 0; e < dim; ++e)
                   gradient[d] += inverse[d][e] * gradients[q * n_nodes + a][e];
-              add_to_diagonal<kind>(
-                numbers, u.JxW(q), gradient, n_nodes, sums + a);
+              add_to_diagonal<numbers.kind>(
+                here, u.JxW(q), gradient, n_nodes, sums + a);
             }
-            numbers += LaneTangents<dim, Lanes>::n_numbers(kind);
           }
         });
         u.distribute_local_to_global(result);

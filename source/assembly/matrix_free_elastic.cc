@@ -16,9 +16,7 @@
 
 #include <assembly/matrix_free_elastic.h>
 
-#include <deal.II/base/mpi.h>
-
-#include <deal.II/dofs/dof_tools.h>
+#include <algorithm>
 
 namespace MixedCracks
 {
@@ -39,23 +37,14 @@ namespace MixedCracks
   {
     const AffineConstraints<double> &all = constraints.elastic_corrections();
     cells = make_cell_products<dim>(fields.mapping, fields.elastic, all);
-    const IndexSet &owned       = fields.elastic_dofs.owned;
-    const IndexSet  of_pressure = DoFTools::extract_dofs(
-      fields.elastic, fields.elastic.get_fe().component_mask(fields.pressure));
-    displacements.clear();
-    pressures.clear();
     constrained.clear();
     unsigned int position = 0;
-    for (const auto dof : owned)
+    for (const auto dof : fields.elastic_dofs.owned)
     {
-      (of_pressure.is_element(dof) ? pressures : displacements)
-        .push_back(position);
       if (all.is_constrained(dof))
         constrained.push_back(position);
       ++position;
     }
-    source_values.resize(owned.n_elements());
-    result_values.resize(owned.n_elements());
   }
 
 
@@ -67,51 +56,37 @@ namespace MixedCracks
     assembler.note_matrix();
     for (unsigned int cell = 0; cell < assembler.n_cells(); ++cell)
       cells->set_tangents(cell, assembler.tangents(cell));
-    cells->compress();
-    diagonal_entries.resize(fields.elastic_dofs.owned.n_elements());
-    cells->diagonal(diagonal_entries.data());
-    double sum = 0.;
-    for (const unsigned int i : displacements)
-      sum += diagonal_entries[i];
-    constrained_diagonal =
-      Utilities::MPI::sum(sum, fields.communicator()) / fields.elastic.n_dofs();
+    cells->reinit(diagonal_entries);
+    cells->diagonal(diagonal_entries);
+    constrained_diagonal = diagonal_entries.mean_value();
     for (const unsigned int i : constrained)
-      diagonal_entries[i] = constrained_diagonal;
+      diagonal_entries.local_element(i) = constrained_diagonal;
   }
 
 
 
   template <int dim>
   void
-  MatrixFreeElastic<dim>::vmult(LinearAlgebra::Vector       &result,
-                                const LinearAlgebra::Vector &source) const
+  MatrixFreeElastic<dim>::vmult(Vector &result, const Vector &source) const
   {
-    cells->multiply(result.begin(), source.begin());
+    vmult(
+      result,
+      source,
+      [&](const unsigned int first, const unsigned int second) {
+        std::fill(result.begin() + first, result.begin() + second, 0.);
+      },
+      [](const unsigned int, const unsigned int) {});
     for (const unsigned int i : constrained)
-      result.begin()[i] = constrained_diagonal * source.begin()[i];
+      result.local_element(i) = constrained_diagonal * source.local_element(i);
   }
 
 
 
   template <int dim>
   void
-  MatrixFreeElastic<dim>::pressure_forces(double       *forces,
-                                          const double *values) const
+  MatrixFreeElastic<dim>::diagonal(Vector &result) const
   {
-    for (std::size_t k = 0; k < pressures.size(); ++k)
-      source_values[pressures[k]] = values[k];
-    cells->pressure_forces(result_values.data(), source_values.data());
-    for (std::size_t k = 0; k < displacements.size(); ++k)
-      forces[k] = result_values[displacements[k]];
-  }
-
-
-
-  template <int dim>
-  void
-  MatrixFreeElastic<dim>::diagonal(LinearAlgebra::Vector &result) const
-  {
-    std::copy(diagonal_entries.begin(), diagonal_entries.end(), result.begin());
+    result = diagonal_entries;
   }
 
 

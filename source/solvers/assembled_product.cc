@@ -11,6 +11,7 @@ namespace MixedCracks
   AssembledProduct::AssembledProduct(const LinearAlgebra::SparseMatrix &matrix,
                                      const std::vector<bool> &is_pressure)
     : matrix(matrix)
+    , is_pressure(is_pressure)
   {
     if (is_pressure.empty())
       return;
@@ -23,16 +24,45 @@ namespace MixedCracks
 
 
   void
-  AssembledProduct::pressure_forces(double       *forces,
-                                    const double *pressures) const
+  AssembledProduct::vmult(Vector &result, const Vector &source) const
   {
-    multiply(*coupling, forces, pressures);
+    multiply(matrix.trilinos_matrix(), result.begin(), source.begin());
   }
 
 
 
   void
-  AssembledProduct::diagonal(LinearAlgebra::Vector &result) const
+  AssembledProduct::vmult(Vector          &result,
+                          const Vector    &source,
+                          const RangeWork &before,
+                          const RangeWork &after) const
+  {
+    before(0, result.locally_owned_size());
+    vmult(result, source);
+    after(0, result.locally_owned_size());
+  }
+
+
+
+  void
+  AssembledProduct::pressure_forces(Vector       &forces,
+                                    const Vector &pressures) const
+  {
+    compressed_pressures.clear();
+    for (std::size_t i = 0; i < is_pressure.size(); ++i)
+      if (is_pressure[i])
+        compressed_pressures.push_back(pressures.local_element(i));
+    compressed_forces.resize(is_pressure.size() - compressed_pressures.size());
+    multiply(*coupling, compressed_forces.data(), compressed_pressures.data());
+    for (std::size_t i = 0, next = 0; i < is_pressure.size(); ++i)
+      if (!is_pressure[i])
+        forces.local_element(i) = compressed_forces[next++];
+  }
+
+
+
+  void
+  AssembledProduct::diagonal(Vector &result) const
   {
     Epetra_Vector entries(matrix.trilinos_matrix().RowMap());
     matrix.trilinos_matrix().ExtractDiagonalCopy(entries);

@@ -24,8 +24,8 @@
 // Without pressure, with a symmetric matrix and one multigrid cycle that is
 // symmetric itself: conjugate gradients with A~.
 //
-// Rows of p are multiplied by row_scale, sqrt(mean diag(A) * mean 1/diag(S~)),
-// so that MPa-like and mm^2-like rows count alike in one norm.
+// Rows of p are multiplied by pressure_scale, sqrt(mean diag(A) * mean
+// 1/diag(S~)), so that MPa-like and mm^2-like rows count alike in one norm.
 
 #include <base/log.h>
 
@@ -43,7 +43,6 @@
 namespace MixedCracks
 {
   using namespace dealii;
-  using Vector = LinearAlgebra::Vector;
 
   namespace
   {
@@ -73,7 +72,7 @@ namespace MixedCracks
     vmult(Vector &result, const Vector &source) const
     {
       solver.product().vmult(result, source);
-      result.scale(solver.row_scale);
+      solver.scale_pressure_rows(result);
     }
 
   private:
@@ -87,46 +86,37 @@ namespace MixedCracks
   public:
     explicit Preconditioner(const BlockAmgSolver &solver)
       : solver(solver)
-    {}
+    {
+      solver.product().reinit(forces);
+      fluxes.resize(solver.pressures.size());
+      values.resize(solver.pressures.size());
+    }
 
     void
     vmult(Vector &result, const Vector &source) const
     {
-      gather(source, solver.is_displacement, forces);
-      displacements.resize(forces.size());
       if (solver.has_pressure)
       {
-        gather(source, solver.system.is_pressure, fluxes);
-        pressures.resize(fluxes.size());
-        solver.mass_solver->vmult(pressures.data(), fluxes.data());
-        for (double &pressure : pressures)
-          pressure *= -1.;
-        solver.product().pressure_forces(displacements.data(),
-                                         pressures.data());
-        for (std::size_t k = 0; k < forces.size(); ++k)
-          forces[k] -= displacements[k];
-      }
-      if (solver.interpolation)
-      {
-        coarse_forces.resize(solver.interpolation->DomainMap().NumMyElements());
-        coarse_displacements.resize(coarse_forces.size());
-        spread(forces, solver.is_displacement, whole);
-        multiply(*solver.interpolation,
-                 coarse_forces.data(),
-                 whole.data(),
-                 /*transposed=*/true);
-        solver.multigrid->vmult(coarse_displacements.data(),
-                                coarse_forces.data());
-        multiply(
-          *solver.interpolation, whole.data(), coarse_displacements.data());
-        displacements.clear();
-        for (std::size_t i = 0; i < whole.size(); ++i)
-          if (solver.is_displacement[i])
-            displacements.push_back(whole[i]);
+        find_pressures(source);
+        for (std::size_t k = 0; k < values.size(); ++k)
+          result.local_element(solver.pressures[k]) = values[k];
+        solver.product().pressure_forces(forces, result);
+        forces.sadd(-1., 1., source);
       }
       else
-        solver.multigrid->vmult(displacements.data(), forces.data());
-      put_together(source, result);
+        forces = source;
+      for (const unsigned int i : solver.constrained)
+        forces.local_element(i) = 0.;
+      if (solver.interpolation)
+        solve_on_coarse_level(result);
+      else
+        solve_for_displacements(result);
+      for (std::size_t k = 0; k < values.size(); ++k)
+        result.local_element(solver.pressures[k]) = values[k];
+      // what is constrained stands alone in its row
+      for (const unsigned int i : solver.constrained)
+        result.local_element(i) =
+          source.local_element(i) / solver.scale_of(i) / solver.matrix_diagonal;
       // rows of displacements are not scaled
       if (solver.smoother)
         solver.smoother->smooth(result, source);
@@ -135,52 +125,57 @@ namespace MixedCracks
     }
 
   private:
-    // chosen rows, not scaled; 0 where a constraint determines the unknown
+    // p = - S~^-1 g
     void
-    gather(const Vector            &source,
-           const std::vector<bool> &chosen,
-           std::vector<double>     &part) const
+    find_pressures(const Vector &source) const
     {
-      const double *r = source.begin(), *scale = solver.row_scale.begin();
-      part.clear();
+      for (std::size_t k = 0; k < fluxes.size(); ++k)
+      {
+        const unsigned int i = solver.pressures[k];
+        fluxes[k]            = solver.system.is_constrained[i]
+                                 ? 0.
+                                 : -source.local_element(i) / solver.pressure_scale;
+      }
+      solver.mass_solver->vmult(values.data(), fluxes.data());
+    }
+
+    // u = P M(P^T forces)
+    void
+    solve_on_coarse_level(Vector &result) const
+    {
+      coarse_forces.resize(solver.interpolation->DomainMap().NumMyElements());
+      coarse_displacements.resize(coarse_forces.size());
+      multiply(*solver.interpolation,
+               coarse_forces.data(),
+               forces.begin(),
+               /*transposed=*/true);
+      solver.multigrid->vmult(coarse_displacements.data(),
+                              coarse_forces.data());
+      multiply(
+        *solver.interpolation, result.begin(), coarse_displacements.data());
+    }
+
+    // u = M(forces)
+    void
+    solve_for_displacements(Vector &result) const
+    {
+      const std::vector<bool> &chosen = solver.is_displacement;
+      coarse_forces.clear();
       for (std::size_t i = 0; i < chosen.size(); ++i)
         if (chosen[i])
-          part.push_back(solver.system.is_constrained[i] ? 0.
-                                                         : r[i] / scale[i]);
-    }
-
-    // part -> chosen rows, 0 elsewhere
-    static void
-    spread(const std::vector<double> &part,
-           const std::vector<bool>   &chosen,
-           std::vector<double>       &whole)
-    {
-      whole.assign(chosen.size(), 0.);
+          coarse_forces.push_back(forces.local_element(i));
+      coarse_displacements.resize(coarse_forces.size());
+      solver.multigrid->vmult(coarse_displacements.data(),
+                              coarse_forces.data());
       for (std::size_t i = 0, next = 0; i < chosen.size(); ++i)
         if (chosen[i])
-          whole[i] = part[next++];
-    }
-
-    void
-    put_together(const Vector &source, Vector &result) const
-    {
-      const double *r = source.begin(), *scale = solver.row_scale.begin();
-      std::size_t   next_displacement = 0, next_pressure = 0;
-      for (std::size_t i = 0; i < solver.is_displacement.size(); ++i)
-      {
-        const double value = solver.is_displacement[i]
-                               ? displacements[next_displacement++]
-                               : pressures[next_pressure++];
-        // what is constrained stands alone in its row
-        result.begin()[i] = solver.system.is_constrained[i]
-                              ? r[i] / scale[i] / solver.matrix_diagonal
-                              : value;
-      }
+          result.local_element(i) = coarse_displacements[next++];
     }
 
     const BlockAmgSolver       &solver;
-    mutable std::vector<double> forces, fluxes, displacements, pressures;
-    mutable std::vector<double> whole, coarse_forces, coarse_displacements;
+    mutable Vector              forces;
+    mutable std::vector<double> fluxes, values; // of owned pressures
+    mutable std::vector<double> coarse_forces, coarse_displacements;
   };
 
 
@@ -205,15 +200,22 @@ namespace MixedCracks
     GrowingVectorMemory<Vector>::release_unused_memory();
     is_displacement = system.is_pressure;
     is_displacement.flip();
-    const bool any =
-      std::find(system.is_pressure.begin(), system.is_pressure.end(), true) !=
-      system.is_pressure.end();
+    pressures.clear();
+    constrained.clear();
+    for (unsigned int i = 0; i < is_displacement.size(); ++i)
+    {
+      if (system.is_pressure[i])
+        pressures.push_back(i);
+      if (system.is_constrained[i])
+        constrained.push_back(i);
+    }
     if (needs_matrix())
-      AssembledProduct(*system.matrix, {}).reinit(row_scale);
+      AssembledProduct(*system.matrix, {}).reinit(known);
     else
-      system.product->reinit(row_scale);
-    has_pressure =
-      Utilities::MPI::max(any ? 1 : 0, row_scale.get_mpi_communicator());
+      system.product->reinit(known);
+    found.reinit(known);
+    has_pressure = Utilities::MPI::max(pressures.empty() ? 0 : 1,
+                                       known.get_mpi_communicator());
     return {};
   }
 
@@ -230,14 +232,22 @@ namespace MixedCracks
 
 
 
-  LinearOutcome
-  BlockAmgSolver::iterate(const double  relative_tolerance,
-                          Vector       &solution,
-                          const Vector &right_hand_side)
+  void
+  BlockAmgSolver::scale_pressure_rows(Vector &vector) const
   {
-    Vector scaled(right_hand_side);
-    scaled.scale(row_scale);
-    const double         tolerance = relative_tolerance * scaled.l2_norm();
+    for (const unsigned int i : pressures)
+      vector.local_element(i) *= pressure_scale;
+  }
+
+
+
+  LinearOutcome
+  BlockAmgSolver::iterate(const double                 relative_tolerance,
+                          const LinearAlgebra::Vector &right_hand_side)
+  {
+    std::copy(right_hand_side.begin(), right_hand_side.end(), known.begin());
+    scale_pressure_rows(known);
+    const double         tolerance = relative_tolerance * known.l2_norm();
     LinearOutcome        outcome;
     IterationControl     control(system.stop,
                              options.max_iterations,
@@ -254,18 +264,18 @@ namespace MixedCracks
         using Gmres = SolverGMRES<Vector>;
         Gmres solver(control,
                      typename Gmres::AdditionalData(restart + 2, true));
-        solver.solve(matrix, solution, scaled, preconditioner);
+        solver.solve(matrix, found, known, preconditioner);
       }
       else if (!uses_conjugate_gradients())
       {
         SolverFGMRES<Vector> solver(
           control, typename SolverFGMRES<Vector>::AdditionalData(restart));
-        solver.solve(matrix, solution, scaled, preconditioner);
+        solver.solve(matrix, found, known, preconditioner);
       }
       else
       {
         SolverCG<Vector> solver(control);
-        solver.solve(matrix, solution, scaled, preconditioner);
+        solver.solve(matrix, found, known, preconditioner);
       }
     }
     catch (const SolverControl::NoConvergence &)
@@ -293,13 +303,24 @@ namespace MixedCracks
 
 
   LinearOutcome
-  BlockAmgSolver::solve(Vector       &solution,
-                        const Vector &right_hand_side,
-                        const double  relative_tolerance)
+  BlockAmgSolver::solve(LinearAlgebra::Vector       &solution,
+                        const LinearAlgebra::Vector &right_hand_side,
+                        const double                 relative_tolerance)
   {
-    solution = 0.;
-    if (right_hand_side.l2_norm() == 0.)
-      return {};
+    found = 0.;
+    LinearOutcome outcome;
+    if (right_hand_side.l2_norm() > 0.)
+      outcome = find(right_hand_side, relative_tolerance);
+    std::copy(found.begin(), found.end(), solution.begin());
+    return outcome;
+  }
+
+
+
+  LinearOutcome
+  BlockAmgSolver::find(const LinearAlgebra::Vector &right_hand_side,
+                       const double                 relative_tolerance)
+  {
     unsigned int earlier = 0;
     const bool is_tried  = multigrid && is_old && options.tolerated_growth > 0.;
     if (is_tried && n_untried > 0)
@@ -307,7 +328,7 @@ namespace MixedCracks
     else if (is_tried)
     {
       const LinearOutcome outcome =
-        iterate(relative_tolerance, solution, right_hand_side);
+        iterate(relative_tolerance, right_hand_side);
       if (outcome.success || outcome.reason == asked_to_stop)
       {
         pause = 0;
@@ -327,8 +348,7 @@ namespace MixedCracks
       if (is_to_stop(system.stop, "set-up of block AMG (ML)"))
         return {false, earlier, asked_to_stop};
     }
-    LinearOutcome outcome =
-      iterate(relative_tolerance, solution, right_hand_side);
+    LinearOutcome outcome = iterate(relative_tolerance, right_hand_side);
     outcome.iterations += earlier;
     return outcome;
   }

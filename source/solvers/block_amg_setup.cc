@@ -24,7 +24,6 @@
 namespace MixedCracks
 {
   using namespace dealii;
-  using Vector = LinearAlgebra::Vector;
 
   namespace
   {
@@ -44,9 +43,9 @@ namespace MixedCracks
 
     // (1/n) sum_i d_i or (1/n) sum_i 1/d_i over the chosen rows of all ranks
     double
-    mean(const Vector            &diagonal,
-         const std::vector<bool> &chosen,
-         const bool               inverse)
+    mean(const SaddlePointProduct::Vector &diagonal,
+         const std::vector<bool>          &chosen,
+         const bool                        inverse)
     {
       std::vector<double> sums(2, 0.);
       const double       *entries = diagonal.begin();
@@ -87,15 +86,13 @@ namespace MixedCracks
   {
     mass_solver = std::make_unique<MassSolver>(extract_block(
       mass.trilinos_matrix(), system.is_pressure, system.is_pressure));
-    Vector diagonal(row_scale);
+    Vector diagonal;
+    diagonal.reinit(known, true);
     AssembledProduct(mass, {}).diagonal(diagonal);
     // broken cells have large entries: the mean of the inverses is that of
     // the intact ones
-    const double scale =
+    pressure_scale =
       std::sqrt(matrix_diagonal * mean(diagonal, system.is_pressure, true));
-    for (std::size_t i = 0; i < system.is_pressure.size(); ++i)
-      if (system.is_pressure[i])
-        row_scale.begin()[i] = scale;
   }
 
 
@@ -109,8 +106,7 @@ namespace MixedCracks
     for (std::size_t i = 0; i < chosen.size(); ++i)
       if (system.is_constrained[i])
         chosen[i] = false;
-    smoother =
-      std::make_unique<ChebyshevSmoother>(product(), row_scale, chosen);
+    smoother = std::make_unique<ChebyshevSmoother>(product(), chosen);
     if (auxiliary.block != nullptr)
     {
       exact_block = std::make_unique<ExactBlock>(product(),
@@ -161,10 +157,10 @@ namespace MixedCracks
         modes);
     else
       set_up_two_levels(auxiliary, modes);
-    Vector diagonal(row_scale);
+    Vector diagonal;
+    diagonal.reinit(known, true);
     product().diagonal(diagonal);
     matrix_diagonal = mean(diagonal, is_displacement, false);
-    row_scale       = 1.;
     if (has_pressure)
       set_up_pressure(*auxiliary.pressure);
     is_old      = false;

@@ -21,7 +21,6 @@
 namespace MixedCracks
 {
   using namespace dealii;
-  using Vector = LinearAlgebra::Vector;
 
   namespace
   {
@@ -37,13 +36,13 @@ namespace MixedCracks
 
 
   ChebyshevSmoother::ChebyshevSmoother(const SaddlePointProduct &matrix,
-                                       const Vector             &like,
                                        const std::vector<bool>  &chosen)
     : chosen(chosen)
     , scaling(std::make_shared<Scaling>())
   {
     product.product = &matrix;
-    scaling->factors.reinit(like, true);
+    matrix.reinit(scaling->get_vector());
+    product.n_rows = scaling->m();
     reinit();
     Polynomial::AdditionalData options(
       degree, safety_of_the_largest * smoothed_range, 0);
@@ -57,10 +56,11 @@ namespace MixedCracks
   void
   ChebyshevSmoother::reinit()
   {
-    product.product->diagonal(scaling->factors);
+    Vector &factors = scaling->get_vector();
+    product.product->diagonal(factors);
     for (std::size_t i = 0; i < chosen.size(); ++i)
     {
-      double &entry = scaling->factors.begin()[i];
+      double &entry = factors.local_element(i);
       entry         = chosen[i] ? 1. / entry : 0.;
     }
   }
@@ -72,9 +72,9 @@ namespace MixedCracks
   double
   ChebyshevSmoother::largest_eigenvalue() const
   {
-    Vector vector(scaling->factors), image(vector);
+    Vector vector(scaling->get_vector()), image(vector);
     for (std::size_t i = 0; i < chosen.size(); ++i)
-      vector.begin()[i] = chosen[i] ? std::sin(1. + i) : 0.;
+      vector.local_element(i) = chosen[i] ? std::sin(1. + i) : 0.;
     double eigenvalue = 1.;
     for (unsigned int k = 0; k < n_power_iterations; ++k)
     {

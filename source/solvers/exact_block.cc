@@ -3,8 +3,6 @@
 
 namespace MixedCracks
 {
-  using Vector = LinearAlgebra::Vector;
-
   ExactBlock::ExactBlock(const SaddlePointProduct          &whole,
                          const LinearAlgebra::SparseMatrix &block,
                          const std::vector<unsigned int>   &rows,

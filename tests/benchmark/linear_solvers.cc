@@ -22,6 +22,7 @@
 
 #include <base/log.h>
 
+#include <solvers/assembled_product.h>
 #include <solvers/direct_solver.h>
 #include <solvers/mumps.h>
 
@@ -352,14 +353,19 @@ namespace
       {
         options.matrix_free = matrix_free;
         options.with_matrix = !matrix_free;
-        ElasticSystem<dim> system(options);
-        auto               source = system.right_hand_side, result = source;
-        const auto         multiply = [&]() {
-          if (matrix_free)
-            system.matrix_free.vmult(result, source);
-          else
-            system.matrix.vmult(result, source);
-        };
+        ElasticSystem<dim>        system(options);
+        const AssembledProduct    assembled(system.matrix, {});
+        const SaddlePointProduct &product =
+          matrix_free
+            ? static_cast<const SaddlePointProduct &>(system.matrix_free)
+            : assembled;
+        SaddlePointProduct::Vector source, result;
+        product.reinit(source);
+        product.reinit(result);
+        std::copy(system.right_hand_side.begin(),
+                  system.right_hand_side.end(),
+                  source.begin());
+        const auto multiply = [&]() { product.vmult(result, source); };
         multiply();
         const unsigned int n       = 20;
         const double       seconds = seconds_of([&]() {

@@ -15,7 +15,7 @@ using namespace MixedCracks::Testing;
 
 namespace
 {
-  using Vector = LinearAlgebra::Vector;
+  using Vector = SaddlePointProduct::Vector;
 
   Vector
   some_vector(const Vector &like, const int seed)
@@ -29,15 +29,56 @@ namespace
   }
 
   // Of all rows but constrained ones, relative to the largest.
-  template <int dim>
+  template <int dim, typename AnyVector>
   double
-  difference(const ElasticSystem<dim> &system, const Vector &a, const Vector &b)
+  difference(const ElasticSystem<dim> &system,
+             const AnyVector          &a,
+             const AnyVector          &b)
   {
-    Vector rest(a), size(b);
+    AnyVector rest(a), size(b);
     rest -= b;
     system.constraints.elastic_corrections().set_zero(rest);
     system.constraints.elastic_corrections().set_zero(size);
     return rest.linfty_norm() / size.linfty_norm();
+  }
+
+  // The product with work before and after it: once for each row, and what is
+  // seen after it is the product.
+  void
+  expect_same_by_ranges(const SaddlePointProduct &product,
+                        const Vector             &source,
+                        const Vector             &expected,
+                        const LinearSystem       &described)
+  {
+    Vector                    result(expected), seen(expected);
+    std::vector<unsigned int> n_before(result.locally_owned_size());
+    std::vector<unsigned int> n_after(result.locally_owned_size());
+    product.vmult(
+      result,
+      source,
+      [&](const unsigned int first, const unsigned int second) {
+        for (unsigned int i = first; i < second; ++i)
+        {
+          result.local_element(i) = 0.;
+          ++n_before[i];
+        }
+      },
+      [&](const unsigned int first, const unsigned int second) {
+        for (unsigned int i = first; i < second; ++i)
+        {
+          seen.local_element(i) = result.local_element(i);
+          ++n_after[i];
+        }
+      });
+    for (unsigned int i = 0; i < n_before.size(); ++i)
+    {
+      EXPECT_EQ(n_before[i], 1u);
+      EXPECT_EQ(n_after[i], 1u);
+      if (!described.is_constrained[i])
+      {
+        EXPECT_NEAR(seen.local_element(i), expected.local_element(i), 1e-12);
+      }
+    }
   }
 
   // K x, B^T p and the diagonal
@@ -49,26 +90,28 @@ namespace
     ElasticSystem<dim>     system(options);
     const LinearSystem     described = system.system();
     const AssembledProduct assembled(system.matrix, described.is_pressure);
-    Vector                 expected(system.right_hand_side), found(expected);
+    Vector                 expected, found;
+    system.matrix_free.reinit(expected);
+    found.reinit(expected);
     for (const int seed : {0, 1})
     {
       const Vector source = some_vector(expected, seed);
       assembled.vmult(expected, source);
       system.matrix_free.vmult(found, source);
       EXPECT_LT(difference(system, found, expected), 1e-13);
+      expect_same_by_ranges(system.matrix_free, source, found, described);
     }
-    std::vector<double> pressures, forces, expected_forces;
-    const Vector        source = some_vector(expected, 2);
+    Vector pressures = some_vector(expected, 2);
     for (std::size_t i = 0; i < described.is_pressure.size(); ++i)
-      if (described.is_pressure[i])
-        pressures.push_back(described.is_constrained[i] ? 0.
-                                                        : source.begin()[i]);
-    forces.resize(described.is_pressure.size() - pressures.size());
-    expected_forces = forces;
-    assembled.pressure_forces(expected_forces.data(), pressures.data());
-    system.matrix_free.pressure_forces(forces.data(), pressures.data());
-    for (std::size_t i = 0; i < forces.size(); ++i)
-      EXPECT_NEAR(forces[i], expected_forces[i], 1e-13);
+      if (described.is_pressure[i] && described.is_constrained[i])
+        pressures.local_element(i) = 0.;
+    assembled.pressure_forces(expected, pressures);
+    system.matrix_free.pressure_forces(found, pressures);
+    for (std::size_t i = 0; i < described.is_pressure.size(); ++i)
+      if (!described.is_pressure[i] && !described.is_constrained[i])
+      {
+        EXPECT_NEAR(found.local_element(i), expected.local_element(i), 1e-13);
+      }
     assembled.diagonal(expected);
     system.matrix_free.diagonal(found);
     for (std::size_t i = 0; i < described.is_pressure.size(); ++i)
@@ -160,9 +203,9 @@ TEST(MatrixFree, SolvesWhatTheDirectSolverSolves)
     options.lambda          = 1e3;
     options.kappa           = 1e-4;
     options.matrix_free     = true;
-    ElasticSystem<3> system(options);
-    DirectSolver     direct;
-    Vector           expected(system.right_hand_side), found(expected);
+    ElasticSystem<3>      system(options);
+    DirectSolver          direct;
+    LinearAlgebra::Vector expected(system.right_hand_side), found(expected);
     ASSERT_TRUE(direct.initialize(system.system()).success);
     ASSERT_TRUE(direct.factorize().success);
     ASSERT_TRUE(direct.solve(expected, system.right_hand_side).success);
