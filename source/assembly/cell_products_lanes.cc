@@ -29,7 +29,7 @@
 
 #include <assembly/cell_products.h>
 #include <assembly/lane_response.h>
-#include <assembly/lane_tangents.templates.h>
+#include <assembly/lane_tangents_templates.h>
 
 #include <deal.II/fe/fe_q.h>
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // How few numbers a tangent is kept by, and that they are those it was set to.
-#include <assembly/lane_tangents.templates.h>
+#include <assembly/lane_tangents_templates.h>
 
 #include <deal.II/base/vectorization.h>
 
