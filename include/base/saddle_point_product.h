@@ -40,8 +40,8 @@ namespace MixedCracks
     /// @p result = K @p source
     virtual void vmult(Vector &result, const Vector &source) const = 0;
 
-    /// @p forces = B^T @p pressures. Displacements of the one and pressures of
-    /// the other are not read, and what stands there in @p forces is undefined.
+    /// @p forces = B^T @p pressures, both of all owned unknowns: displacements
+    /// in @p pressures are not read, pressures in @p forces are undefined.
     virtual void pressure_forces(Vector       &forces,
                                  const Vector &pressures) const = 0;
 
