@@ -7,9 +7,9 @@
 //
 // C = d sigma/d eps, s = stress_by_pressure, t = constraint_by_trace, c =
 // constraint_by_pressure < 0 of the response at the point (ElasticResponse).
-// Per cell of 89 unknowns in 3-d that reads 5 numbers at each of 27 points
-// where C = a 1 + b I (x) I, 24 elsewhere, in place of 89^2 of the matrix; see
-// Kronbichler and Kormann, Comput. Fluids 63 (2012).
+// Per cell of 89 unknowns in 3-d that reads at most 5 numbers at each of 27
+// points where C = a 1 + b I (x) I, 24 elsewhere (lane_tangents.h), in place of
+// 89^2 of the matrix; see Kronbichler and Kormann, Comput. Fluids 63 (2012).
 //
 // Constrained unknowns have the mean of the diagonal in their row, nothing
 // else.

@@ -11,8 +11,10 @@
 // with A only: no factorisation, the same on any number of ranks. b = 1.1
 // lambda_max by ten power iterations, a = lambda_max/6; degree 2 reduces all
 // between to 1/T_2(theta/delta) = 0.37 of it at most, and the coarse level has
-// the rest. deal.II's own search for lambda_max, by Lanczos' method from a
-// sawtooth for these vectors, was not compared.
+// the rest. The searches of deal.II's class are not used: by Lanczos' method it
+// starts from D^-1 of a vector, which is nearly all in broken cells where their
+// stiffness is 1e-10 of that beside them, and misses the eigenvectors at their
+// rim; with b below lambda_max GMRES may not end (doc/records/solvers.md).
 
 #include <solvers/chebyshev.h>
 
