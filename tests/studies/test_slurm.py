@@ -71,8 +71,9 @@ def strips(cluster, folder):
     array, said = sweep.submit("--ranks", 2)
     assert "srun --exact --mpi=pmix" in (
         next((sweep.output / "submissions").iterdir()) / "manifest.json").read_text()
-    sweep.wait_for(lambda: len(rows_of(sweep, "h_12")) >= 3, "rows of h_12")
+    # before it runs: its end must not come first
     index = [line.split()[0] for line in sweep.call("plan").splitlines()].index("h_12")
+    sweep.wait_for(lambda: len(rows_of(sweep, "h_12")) >= 3, "rows of h_12")
     cluster.said("scancel", "--batch", "--signal=USR1", "%s_%d" % (array, index),
                  check=True)
     sweep.wait_for(lambda: len(sweep.record("h_12")["pieces"]) == 2, "a second piece")
