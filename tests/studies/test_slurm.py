@@ -71,7 +71,7 @@ def strips(cluster, folder):
     array, said = sweep.submit("--ranks", 2)
     assert "srun --exact --mpi=pmix" in (
         next((sweep.output / "submissions").iterdir()) / "manifest.json").read_text()
-    # before it runs: its end must not come first
+    # looked up first: meanwhile the task could come to its end
     index = [line.split()[0] for line in sweep.call("plan").splitlines()].index("h_12")
     sweep.wait_for(lambda: len(rows_of(sweep, "h_12")) >= 3, "rows of h_12")
     cluster.said("scancel", "--batch", "--signal=USR1", "%s_%d" % (array, index),
