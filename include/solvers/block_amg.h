@@ -72,10 +72,8 @@ namespace MixedCracks
     /// The weighted mass matrix and the coupling, and a scale for its rows.
     void set_up_pressure(const LinearAlgebra::SparseMatrix &mass);
 
-    /// Smoother and coarse level; of @p modes the entries of the coarse
-    /// unknowns are kept.
-    void set_up_two_levels(const AuxiliaryMatrices          &auxiliary,
-                           std::vector<std::vector<double>> &modes);
+    /// Smoother and coarse level.
+    void set_up_two_levels(const AuxiliaryMatrices &auxiliary);
 
     /// Continue from what is found already until the residual is below
     /// @p relative_tolerance of the right hand side, both scaled, or an old

@@ -68,9 +68,11 @@ namespace MixedCracks
     /// one entry per owned row: whether a constraint determines the unknown.
     /// Its row and column hold a diagonal entry only.
     std::vector<bool> is_constrained;
-    /// what costs no energy: one entry per owned displacement, in order, for
-    /// each motion
-    std::function<std::vector<std::vector<double>>()> rigid_body_modes;
+    /// what costs no energy: of each motion the entries of the owned
+    /// displacements that are chosen, in order. Collective.
+    std::function<std::vector<std::vector<double>>(
+      const std::vector<bool> &chosen)>
+      rigid_body_modes;
     /// assemble for the present values of the matrix. Collective.
     std::function<AuxiliaryMatrices()> auxiliary;
     /// does the work handed over and books its time as set-up, not as

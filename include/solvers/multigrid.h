@@ -84,8 +84,8 @@ namespace MixedCracks
     std::unique_ptr<FinestProducts> finest_products;
   };
 
-  /// Incomplete Cholesky-like factors without fill of a mass matrix, those of
-  /// each rank apart.
+  /// Incomplete factors without fill of a mass matrix, those of each rank
+  /// with a layer of overlap.
   class MassSolver
   {
   public:

@@ -22,7 +22,7 @@ namespace MixedCracks
 
   namespace
   {
-    // one owned displacement dof
+    // one chosen displacement dof
     template <int dim>
     struct Place
     {
@@ -34,14 +34,21 @@ namespace MixedCracks
 
 
 
-    // by position among the owned dofs; pressures stay invalid
+    // in the order of the owned dofs
     template <int dim>
     std::vector<Place<dim>>
-    places_of(const Fields<dim> &fields)
+    places_of(const Fields<dim> &fields, const std::vector<bool> &chosen)
     {
-      const IndexSet                      &owned = fields.elastic_dofs.owned;
-      const FiniteElement<dim>            &fe    = fields.elastic.get_fe();
-      std::vector<Place<dim>>              places(owned.n_elements());
+      const IndexSet           &owned = fields.elastic_dofs.owned;
+      const FiniteElement<dim> &fe    = fields.elastic.get_fe();
+      std::vector<unsigned int> numbers; // among the chosen ones
+      unsigned int              n_chosen = 0;
+      for (const bool is_chosen : chosen)
+      {
+        numbers.push_back(n_chosen);
+        n_chosen += is_chosen;
+      }
+      std::vector<Place<dim>>              places(n_chosen);
       std::vector<types::global_dof_index> dofs(fe.n_dofs_per_cell());
       // owned dofs may stand on cells of other ranks only for those, which
       // are ghosts here
@@ -52,13 +59,15 @@ namespace MixedCracks
         cell->get_dof_indices(dofs);
         for (unsigned int i = 0; i < dofs.size(); ++i)
         {
-          const unsigned int component = fe.system_to_component_index(i).first;
-          if (component >= dim || !owned.is_element(dofs[i]))
+          if (!owned.is_element(dofs[i]))
             continue;
-          Place<dim> &place = places[owned.index_within_set(dofs[i])];
+          const auto at = owned.index_within_set(dofs[i]);
+          if (!chosen[at])
+            continue;
+          Place<dim> &place = places[numbers[at]];
           if (place.component != Place<dim>::invalid)
             continue;
-          place.component = component;
+          place.component = fe.system_to_component_index(i).first;
           place.position  = fields.mapping.transform_unit_to_real_cell(
             cell, fe.unit_support_point(i));
         }
@@ -77,12 +86,11 @@ namespace MixedCracks
       std::vector<double> largest(2 * dim,
                                   std::numeric_limits<double>::lowest());
       for (const Place<dim> &place : places)
-        if (place.component != Place<dim>::invalid)
-          for (unsigned int d = 0; d < dim; ++d)
-          {
-            largest[d]       = std::max(largest[d], place.position[d]);
-            largest[dim + d] = std::max(largest[dim + d], -place.position[d]);
-          }
+        for (unsigned int d = 0; d < dim; ++d)
+        {
+          largest[d]       = std::max(largest[d], place.position[d]);
+          largest[dim + d] = std::max(largest[dim + d], -place.position[d]);
+        }
       Utilities::MPI::max(largest, communicator, largest);
       Point<dim> middle;
       double     size = 0.;
@@ -99,16 +107,14 @@ namespace MixedCracks
 
   template <int dim>
   std::vector<std::vector<double>>
-  rigid_body_modes(const Fields<dim> &fields)
+  rigid_body_modes(const Fields<dim> &fields, const std::vector<bool> &chosen)
   {
-    const auto places         = places_of(fields);
+    const auto places         = places_of(fields, chosen);
     const auto [middle, size] = middle_and_size(places, fields.communicator());
     constexpr unsigned int           n_rotations = dim * (dim - 1) / 2;
     std::vector<std::vector<double>> modes(dim + n_rotations);
     for (const Place<dim> &place : places)
     {
-      if (place.component == Place<dim>::invalid)
-        continue;
       const Tensor<1, dim> arm = (place.position - middle) / size;
       for (unsigned int d = 0; d < dim; ++d)
         modes[d].push_back(place.component == d ? 1. : 0.);
@@ -125,6 +131,8 @@ namespace MixedCracks
 
 
 
-  template std::vector<std::vector<double>> rigid_body_modes(const Fields<2> &);
-  template std::vector<std::vector<double>> rigid_body_modes(const Fields<3> &);
+  template std::vector<std::vector<double>>
+  rigid_body_modes(const Fields<2> &, const std::vector<bool> &);
+  template std::vector<std::vector<double>>
+  rigid_body_modes(const Fields<3> &, const std::vector<bool> &);
 } // namespace MixedCracks

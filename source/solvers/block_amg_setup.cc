@@ -98,11 +98,9 @@ namespace MixedCracks
 
 
   void
-  BlockAmgSolver::set_up_two_levels(const AuxiliaryMatrices          &auxiliary,
-                                    std::vector<std::vector<double>> &modes)
+  BlockAmgSolver::set_up_two_levels(const AuxiliaryMatrices &auxiliary)
   {
-    const std::vector<bool> &coarse = *auxiliary.is_coarse;
-    std::vector<bool>        chosen = is_displacement;
+    std::vector<bool> chosen = is_displacement;
     for (std::size_t i = 0; i < chosen.size(); ++i)
       if (system.is_constrained[i])
         chosen[i] = false;
@@ -118,23 +116,13 @@ namespace MixedCracks
         exact_block.reset();
     }
     interpolation = auxiliary.interpolation;
-    for (std::vector<double> &mode : modes)
-    {
-      std::size_t next = 0, next_coarse = 0;
-      for (std::size_t i = 0; i < coarse.size(); ++i)
-        if (is_displacement[i])
-        {
-          if (coarse[i])
-            mode[next_coarse++] = mode[next];
-          ++next;
-        }
-      mode.resize(next_coarse);
-    }
     // it stays until the next set-up has dropped the hierarchy
     const std::shared_ptr<const Epetra_CrsMatrix> matrix(
       std::shared_ptr<void>(), &auxiliary.displacement->trilinos_matrix());
     multigrid = std::make_unique<Multigrid>(
-      matrix, on_the_coarse_level(system.n_components), modes);
+      matrix,
+      on_the_coarse_level(system.n_components),
+      system.rigid_body_modes(*auxiliary.is_coarse));
   }
 
 
@@ -147,16 +135,15 @@ namespace MixedCracks
       assembled = std::make_unique<AssembledProduct>(
         *system.matrix,
         has_pressure ? system.is_pressure : std::vector<bool>());
-    const AuxiliaryMatrices          auxiliary = system.auxiliary();
-    std::vector<std::vector<double>> modes     = system.rigid_body_modes();
+    const AuxiliaryMatrices auxiliary = system.auxiliary();
     if (auxiliary.displacement == nullptr)
       multigrid = std::make_unique<Multigrid>(
         extract_block(
           system.matrix->trilinos_matrix(), is_displacement, is_displacement),
         MultigridOptions::elastic(system.n_components),
-        modes);
+        system.rigid_body_modes(is_displacement));
     else
-      set_up_two_levels(auxiliary, modes);
+      set_up_two_levels(auxiliary);
     Vector diagonal;
     diagonal.reinit(known, true);
     product().diagonal(diagonal);

@@ -124,8 +124,10 @@ namespace MixedCracks
     for (const auto dof : fields.elastic_dofs.owned)
       system.is_constrained.push_back(
         constraints.elastic_corrections().is_constrained(dof));
-    system.rigid_body_modes = [this]() { return rigid_body_modes(fields); };
-    system.auxiliary        = [this]() {
+    system.rigid_body_modes = [this](const std::vector<bool> &chosen) {
+      return rigid_body_modes(fields, chosen);
+    };
+    system.auxiliary = [this]() {
       auxiliaries.assemble(assembler,
                            solver->needs_matrix() ? nullptr : &matrix_free);
       AuxiliaryMatrices result;

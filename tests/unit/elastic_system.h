@@ -168,8 +168,10 @@ namespace MixedCracks
         for (const auto dof : owned)
           result.is_constrained.push_back(
             constraints.elastic_corrections().is_constrained(dof));
-        result.rigid_body_modes = [this]() { return rigid_body_modes(fields); };
-        result.auxiliary        = [this]() {
+        result.rigid_body_modes = [this](const std::vector<bool> &chosen) {
+          return rigid_body_modes(fields, chosen);
+        };
+        result.auxiliary = [this]() {
           assemble_auxiliaries();
           AuxiliaryMatrices result;
           if (auxiliaries.has_displacement())
