@@ -49,8 +49,6 @@ namespace MixedCracks
     /// of the Jacobi step that smooths prolongators, over the largest
     /// eigenvalue
     double prolongator_damping = 4. / 3.;
-    /// unknowns a direct solver is left with
-    int coarsest_size = 500;
 
     /// Elasticity, with what doc/solvers.md found best.
     static MultigridOptions elastic(unsigned int n_components);

@@ -180,6 +180,8 @@ namespace MixedCracks
         among.add_entries_local_to_global(indices, pattern, false);
       pattern.compress();
       matrix.reinit(pattern);
+      // finds out what ranks send each other, for all sums on this mesh
+      matrix.compress(VectorOperation::add);
     };
     if (has_displacement())
       linear_displacements.reinit(fields, constraints);

@@ -37,6 +37,12 @@ namespace MixedCracks
   {
     using dealii::ExcMessage;
 
+    // unknowns that the direct solver is left with, at most; its factors are
+    // nearly dense and on one rank: 1500 take longer, and save no iteration
+    constexpr int coarsest_size = 500;
+
+
+
     Teuchos::ParameterList
     multigrid_parameters(const MultigridOptions &options)
     {
@@ -53,7 +59,7 @@ namespace MixedCracks
       list.set("smoother: Chebyshev alpha", options.smoothed_range);
       list.set("smoother: pre or post", "both");
       list.set("coarse: type", "Amesos-KLU");
-      list.set("coarse: max size", options.coarsest_size);
+      list.set("coarse: max size", coarsest_size);
       return list;
     }
 
@@ -87,7 +93,6 @@ namespace MixedCracks
     // the usual 4/3 needs one iteration more, up to three in the displacement
     // formulation
     options.prolongator_damping = 1.5;
-    options.coarsest_size       = 1500;
     return options;
   }
 
