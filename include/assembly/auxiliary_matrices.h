@@ -3,6 +3,7 @@
 #define mixed_cracks_assembly_auxiliary_matrices_h
 
 #include <assembly/assembler.h>
+#include <assembly/cell_sums.h>
 #include <assembly/fluid_like_cells.h>
 #include <assembly/isotropic_cell.h>
 #include <assembly/matrix_free_elastic.h>
@@ -65,9 +66,11 @@ namespace MixedCracks
     }
 
   private:
-    using Indices = std::vector<dealii::types::global_dof_index>;
+    using Indices = CellSums::Indices;
 
-    void read_cells();
+    /// The unknowns of each owned cell, in the order of CellTable.
+    std::vector<Indices> vertex_dofs() const;
+    std::vector<Indices> pressure_dofs() const;
 
     /// A cell with the tangents of isotropic; whether it is fluid-like.
     bool add_isotropic(unsigned int cell, const CellGeometry<dim> &geometry);
@@ -75,9 +78,6 @@ namespace MixedCracks
     bool add_general(unsigned int                             cell,
                      const CellGeometry<dim>                 &geometry,
                      const std::vector<ElasticResponse<dim>> &responses);
-
-    void add_displacements(unsigned int                      cell,
-                           const dealii::FullMatrix<double> &local);
 
     /// With weights.
     void add_pressures(unsigned int cell);
@@ -87,16 +87,14 @@ namespace MixedCracks
     ScalarShapes<dim>        shapes; // linear
     IsotropicStiffness<dim>  linear_stiffness;
     IsotropicCell            isotropic;
+    std::vector<double>      mass_of_points; // M_k M_l of each point
     std::vector<double>      weights; // of the pressure at the points of a cell
     LinearDisplacements<dim> linear_displacements;
     bool                     is_finite = false; // finite strain
 
-    /// of owned cells, in the order of CellTable
-    std::vector<Indices> vertex_dofs;
-    std::vector<Indices> pressure_dofs;
-
     LinearAlgebra::SparseMatrix displacement_matrix;
     LinearAlgebra::SparseMatrix pressure_matrix;
+    CellSums                    displacement_sums, pressure_sums;
     FluidLikeCells<dim>         fluid_like_cells;
   };
 

@@ -162,7 +162,12 @@ namespace MixedCracks
     , linear_stiffness(FE_Q<dim>(1), fields.quadrature)
     , weights(fields.quadrature.size())
     , fluid_like_cells(fields, constraints)
-  {}
+  {
+    for (unsigned int q = 0; q < weights.size(); ++q)
+      for (unsigned int a = 0; a < shapes.size(); ++a)
+        for (unsigned int b = 0; b < shapes.size(); ++b)
+          mass_of_points.push_back(shapes.value(a, q) * shapes.value(b, q));
+  }
 
 
 
@@ -171,9 +176,11 @@ namespace MixedCracks
   AssembledAuxiliaries<dim>::reinit()
   {
     const auto make_zero = [&](const DofSets                   &dofs,
-                               const std::vector<Indices>      &cells,
+                               std::vector<Indices>             cells,
                                const AffineConstraints<double> &among,
-                               LinearAlgebra::SparseMatrix     &matrix) {
+                               const unsigned int               n_components,
+                               LinearAlgebra::SparseMatrix     &matrix,
+                               CellSums                        &sums) {
       LinearAlgebra::SparsityPattern pattern(
         dofs.owned, dofs.owned, dofs.relevant, fields.communicator());
       for (const Indices &indices : cells)
@@ -182,48 +189,62 @@ namespace MixedCracks
       matrix.reinit(pattern);
       // finds out what ranks send each other, for all sums on this mesh
       matrix.compress(VectorOperation::add);
+      sums.reinit(matrix, std::move(cells), among, n_components);
     };
     if (has_displacement())
+    {
       linear_displacements.reinit(fields, constraints);
-    read_cells();
-    if (has_displacement())
       make_zero(linear_displacements.dofs(),
-                vertex_dofs,
+                vertex_dofs(),
                 linear_displacements.constraints(),
-                displacement_matrix);
+                dim,
+                displacement_matrix,
+                displacement_sums);
+    }
     if (fields.layout.mixed)
       make_zero(fields.elastic_dofs,
-                pressure_dofs,
+                pressure_dofs(),
                 constraints.elastic_corrections(),
-                pressure_matrix);
+                1,
+                pressure_matrix,
+                pressure_sums);
   }
 
 
 
   template <int dim>
-  void
-  AssembledAuxiliaries<dim>::read_cells()
+  std::vector<CellSums::Indices>
+  AssembledAuxiliaries<dim>::vertex_dofs() const
   {
-    const FiniteElement<dim> &element = fields.elastic.get_fe();
-    vertex_dofs.clear();
-    pressure_dofs.clear();
-    Indices all(element.n_dofs_per_cell());
+    std::vector<Indices> result;
     for (const auto &cell : fields.elastic.active_cell_iterators())
       if (cell->is_locally_owned())
       {
-        if (has_displacement())
-        {
-          vertex_dofs.emplace_back();
-          linear_displacements.get_dofs(cell, vertex_dofs.back());
-        }
-        if (!fields.layout.mixed)
-          continue;
+        result.emplace_back();
+        linear_displacements.get_dofs(cell, result.back());
+      }
+    return result;
+  }
+
+
+
+  template <int dim>
+  std::vector<CellSums::Indices>
+  AssembledAuxiliaries<dim>::pressure_dofs() const
+  {
+    const FiniteElement<dim> &element = fields.elastic.get_fe();
+    std::vector<Indices>      result;
+    Indices                   all(element.n_dofs_per_cell());
+    for (const auto &cell : fields.elastic.active_cell_iterators())
+      if (cell->is_locally_owned())
+      {
         cell->get_dof_indices(all);
-        pressure_dofs.emplace_back();
+        result.emplace_back();
         for (unsigned int c = 0; c < shapes.size(); ++c)
-          pressure_dofs.back().push_back(
+          result.back().push_back(
             all[element.component_to_system_index(dim, c)]);
       }
+    return result;
   }
 
 
@@ -280,7 +301,7 @@ namespace MixedCracks
             for (unsigned int e = 0; e < dim; ++e)
               local(dim * a + d, dim * b + e) =
                 linear_stiffness.entry(a, d, b, e);
-      add_displacements(cell, local);
+      displacement_sums.add(cell, local);
     }
     bool is_fluid = false;
     for (unsigned int q = 0; q < isotropic.identity.size(); ++q)
@@ -328,7 +349,7 @@ namespace MixedCracks
       for (unsigned int i = 0; i < local.m(); ++i)
         for (unsigned int j = dim * (i / dim + 1); j < local.n(); ++j)
           local(j, i) = local(i, j);
-      add_displacements(cell, local);
+      displacement_sums.add(cell, local);
     }
     if (!fields.layout.mixed)
       return false;
@@ -351,29 +372,15 @@ namespace MixedCracks
 
   template <int dim>
   void
-  AssembledAuxiliaries<dim>::add_displacements(const unsigned int        cell,
-                                               const FullMatrix<double> &local)
-  {
-    linear_displacements.constraints().distribute_local_to_global(
-      local, vertex_dofs[cell], displacement_matrix);
-  }
-
-
-
-  template <int dim>
-  void
   AssembledAuxiliaries<dim>::add_pressures(const unsigned int cell)
   {
-    FullMatrix<double> local(shapes.size(), shapes.size());
-    for (unsigned int q = 0; q < weights.size(); ++q)
-      for (unsigned int a = 0; a < shapes.size(); ++a)
-      {
-        const double weighted = weights[q] * shapes.value(a, q);
-        for (unsigned int b = 0; b < shapes.size(); ++b)
-          local(a, b) += weighted * shapes.value(b, q);
-      }
-    constraints.elastic_corrections().distribute_local_to_global(
-      local, pressure_dofs[cell], pressure_matrix);
+    constexpr unsigned int n = GeometryInfo<dim>::vertices_per_cell;
+    FullMatrix<double>     local(n, n);
+    const double          *of_point = mass_of_points.data();
+    for (const double weight : weights)
+      for (unsigned int k = 0; k < n * n; ++k)
+        (&local(0, 0))[k] += weight * *of_point++;
+    pressure_sums.add(cell, local);
   }
 
 

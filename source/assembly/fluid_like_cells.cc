@@ -214,6 +214,11 @@ namespace MixedCracks
                                 const MatrixFreeElastic<dim> *products)
   {
     matrix.clear();
+    block_exists = false;
+    const int any =
+      std::find(chosen.begin(), chosen.end(), true) != chosen.end();
+    if (Utilities::MPI::max(any, fields.communicator()) == 0)
+      return;
     number_rows(chosen);
     if (!block_exists)
       return;
