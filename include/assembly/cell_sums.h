@@ -28,6 +28,10 @@ namespace MixedCracks
                 const dealii::AffineConstraints<double> &constraints,
                 unsigned int                             n_components);
 
+    /// All entries become zero. As rows of other ranks are since compress(),
+    /// nothing is sent, which dealii's operator= would do.
+    void set_zero();
+
     /// Add the matrix of a cell. compress() of the sparse matrix is up to the
     /// caller.
     void add(unsigned int cell, const dealii::FullMatrix<double> &local);

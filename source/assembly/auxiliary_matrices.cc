@@ -255,9 +255,9 @@ namespace MixedCracks
                                       const MatrixFreeElastic<dim> *products)
   {
     if (has_displacement())
-      displacement_matrix = 0.;
+      displacement_sums.set_zero();
     if (fields.layout.mixed)
-      pressure_matrix = 0.;
+      pressure_sums.set_zero();
     if (!has_displacement() && !fields.layout.mixed)
       return;
     is_finite = assembler.is_finite();

@@ -47,6 +47,15 @@ namespace MixedCracks
 
 
 
+  void
+  CellSums::set_zero()
+  {
+    const int n_rows = matrix->trilinos_matrix().NumMyRows();
+    std::fill(entries, entries + starts[n_rows], 0.);
+  }
+
+
+
   bool
   CellSums::is_simple(const Indices &cell) const
   {

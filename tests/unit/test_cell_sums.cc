@@ -78,7 +78,7 @@ namespace
     for (unsigned int time = 0; time < 2; ++time)
     {
       expected = 0.;
-      found    = 0.;
+      sums.set_zero();
       FullMatrix<double> local(element.n_dofs_per_cell());
       for (unsigned int cell = 0; cell < cells.size(); ++cell)
       {
