@@ -28,6 +28,7 @@
 // 1/diag(S~)), so that MPa-like and mm^2-like rows count alike in one norm.
 
 #include <base/log.h>
+#include <base/memory.h>
 
 #include <deal.II/base/mpi.h>
 
@@ -198,6 +199,10 @@ namespace MixedCracks
     when_new  = {};
     n_untried = pause = 0;
     GrowingVectorMemory<Vector>::release_unused_memory();
+    // once per mesh: what is given back has to be handed out anew, which takes
+    // as long as a third of a set-up
+    if (options.is_matrix_free)
+      return_free_memory();
     is_displacement = system.is_pressure;
     is_displacement.flip();
     pressures.clear();

@@ -11,8 +11,6 @@
 // between the vertices, modes that the coarse space lacks and whose eigenvalues
 // are among the upper ones. Linear displacements need 1 only, with P = 1.
 
-#include <base/memory.h>
-
 #include <deal.II/base/mpi.h>
 
 #include <deal.II/lac/vector_memory.h>
@@ -71,12 +69,9 @@ namespace MixedCracks
     exact_block.reset();
     mass_solver.reset();
     assembled.reset();
+    // the next hierarchy would be added to what this one leaves
     if (options.is_matrix_free)
-    {
-      // the next hierarchy would be added to what this one leaves
       GrowingVectorMemory<Vector>::release_unused_memory();
-      return_free_memory();
-    }
   }
 
 
