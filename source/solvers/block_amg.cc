@@ -199,8 +199,7 @@ namespace MixedCracks
     when_new  = {};
     n_untried = pause = 0;
     GrowingVectorMemory<Vector>::release_unused_memory();
-    // once per mesh: what is given back has to be handed out anew, which takes
-    // as long as a third of a set-up
+    // the next mesh needs other sizes
     if (options.is_matrix_free)
       return_free_memory();
     is_displacement = system.is_pressure;

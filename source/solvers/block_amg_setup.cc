@@ -11,6 +11,8 @@
 // between the vertices, modes that the coarse space lacks and whose eigenvalues
 // are among the upper ones. Linear displacements need 1 only, with P = 1.
 
+#include <base/memory.h>
+
 #include <deal.II/base/mpi.h>
 
 #include <deal.II/lac/vector_memory.h>
@@ -25,6 +27,12 @@ namespace MixedCracks
 
   namespace
   {
+    // owned rows beyond which memory counts more than the third of a set-up
+    // that it takes to give it back and have it handed out anew
+    constexpr std::size_t most_rows_without_return = 3000000;
+
+
+
     // A coarse level is small, and must not be what limits the iterations:
     // sharper than where multigrid works on all unknowns.
     MultigridOptions
@@ -69,9 +77,12 @@ namespace MixedCracks
     exact_block.reset();
     mass_solver.reset();
     assembled.reset();
+    if (!options.is_matrix_free)
+      return;
     // the next hierarchy would be added to what this one leaves
-    if (options.is_matrix_free)
-      GrowingVectorMemory<Vector>::release_unused_memory();
+    GrowingVectorMemory<Vector>::release_unused_memory();
+    if (is_displacement.size() > most_rows_without_return)
+      return_free_memory();
   }
 
 
