@@ -30,15 +30,15 @@ namespace MixedCracks
     AssertThrow(matrix->trilinos_matrix().ExtractCrsDataPointers(
                   of_rows, of_columns, entries) == 0,
                 ExcMessage("the matrix is not compressed"));
-    starts  = of_rows;
-    columns = of_columns;
+    starts                 = of_rows;
+    columns                = of_columns;
+    const Epetra_Map &rows = matrix->trilinos_matrix().RowMap();
     simple.clear();
     for (Indices &cell : cells)
     {
       simple.push_back(is_simple(cell));
       if (!simple.back())
         continue;
-      const Epetra_Map &rows = matrix->trilinos_matrix().RowMap();
       for (unsigned int a = 0; n_components * a < cell.size(); ++a)
         cell[a] = rows.LID(static_cast<int>(cell[n_components * a]));
       cell.resize(cell.size() / n_components);
