@@ -176,9 +176,8 @@ namespace MixedCracks
   AssembledAuxiliaries<dim>::reinit()
   {
     const auto make_zero = [&](const DofSets                   &dofs,
-                               std::vector<Indices>             cells,
+                               const std::vector<Indices>      &cells,
                                const AffineConstraints<double> &among,
-                               const unsigned int               n_components,
                                LinearAlgebra::SparseMatrix     &matrix,
                                CellSums                        &sums) {
       LinearAlgebra::SparsityPattern pattern(
@@ -187,9 +186,7 @@ namespace MixedCracks
         among.add_entries_local_to_global(indices, pattern, false);
       pattern.compress();
       matrix.reinit(pattern);
-      // finds out what ranks send each other, for all sums on this mesh
-      matrix.compress(VectorOperation::add);
-      sums.reinit(matrix, std::move(cells), among, n_components);
+      sums.reinit(matrix, cells, among);
     };
     if (has_displacement())
     {
@@ -197,7 +194,6 @@ namespace MixedCracks
       make_zero(linear_displacements.dofs(),
                 vertex_dofs(),
                 linear_displacements.constraints(),
-                dim,
                 displacement_matrix,
                 displacement_sums);
     }
@@ -205,7 +201,6 @@ namespace MixedCracks
       make_zero(fields.elastic_dofs,
                 pressure_dofs(),
                 constraints.elastic_corrections(),
-                1,
                 pressure_matrix,
                 pressure_sums);
   }
@@ -276,10 +271,10 @@ namespace MixedCracks
       }
     }
     if (has_displacement())
-      displacement_matrix.compress(VectorOperation::add);
+      displacement_sums.finish();
     if (!fields.layout.mixed)
       return;
-    pressure_matrix.compress(VectorOperation::add);
+    pressure_sums.finish();
     fluid_like_cells.assemble(fluid_like, assembler, products);
   }
 
