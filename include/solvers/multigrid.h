@@ -10,10 +10,6 @@
 #include <memory>
 #include <vector>
 
-namespace ML_Epetra
-{
-  class MultiLevelPreconditioner;
-}
 class Ifpack_Preconditioner;
 
 namespace MixedCracks
@@ -75,11 +71,10 @@ namespace MixedCracks
     double operator_complexity() const;
 
   private:
-    std::shared_ptr<const Epetra_CrsMatrix>              matrix;
-    std::unique_ptr<ML_Epetra::MultiLevelPreconditioner> cycle;
+    class Hierarchy;
 
-    class FinestProducts;
-    std::unique_ptr<FinestProducts> finest_products;
+    std::shared_ptr<const Epetra_CrsMatrix> matrix;
+    std::unique_ptr<Hierarchy>              hierarchy;
   };
 
   /// Incomplete factors without fill of a mass matrix, those of each rank

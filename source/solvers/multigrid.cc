@@ -26,7 +26,10 @@
 #include <Epetra_Vector.h>
 #include <Ifpack.h>
 #include <Teuchos_ParameterList.hpp>
-#include <ml_MultiLevelPreconditioner.h>
+#include <ml_amesos.h>
+#include <ml_epetra_utils.h>
+#include <ml_include.h>
+#include <solvers/galerkin_product.h>
 #include <solvers/multigrid.h>
 
 #include <algorithm>
@@ -43,25 +46,14 @@ namespace MixedCracks
 
 
 
-    Teuchos::ParameterList
-    multigrid_parameters(const MultigridOptions &options)
-    {
-      Teuchos::ParameterList list;
-      ML_Epetra::SetDefaults("SA", list);
-      list.set("ML output", 0);
-      list.set("PDE equations", static_cast<int>(options.n_components));
-      list.set("prec type", options.w_cycle ? "MGW" : "MGV");
-      list.set("aggregation: type", "Uncoupled");
-      list.set("aggregation: threshold", options.weak_coupling);
-      list.set("aggregation: damping factor", options.prolongator_damping);
-      list.set("smoother: type", "Chebyshev");
-      list.set("smoother: sweeps", options.smoother_degree);
-      list.set("smoother: Chebyshev alpha", options.smoothed_range);
-      list.set("smoother: pre or post", "both");
-      list.set("coarse: type", "Amesos-KLU");
-      list.set("coarse: max size", coarsest_size);
-      return list;
-    }
+    // levels that there may be; each has less than a fifth of the unknowns of
+    // the one before
+    constexpr int most_levels = 10;
+
+    // of the largest eigenvalue that conjugate gradients find in so many
+    // iterations, up to which polynomials smooth
+    constexpr double eigenvalue_boost       = 1.1;
+    constexpr int    iterations_eigenvalues = 10;
 
 
 
@@ -214,42 +206,196 @@ namespace MixedCracks
 
 
 
-  // Lends the finest level of a hierarchy faster products, after its matrix
-  // has been read, until this ends.
-  class Multigrid::FinestProducts
+  // Levels 0 (finest) to the coarsest, by the functions of ML in C: its class
+  // for Epetra would not let the product P^T A P of level 0 be found in blocks.
+  class Multigrid::Hierarchy
   {
   public:
-    FinestProducts(const ML_Epetra::MultiLevelPreconditioner &hierarchy,
-                   const Epetra_CrsMatrix                    &matrix,
-                   const unsigned int                         n_components)
-      : finest(hierarchy.GetML()->Amat[hierarchy.GetML()->ML_finest_level])
-      , of_ml(finest.data)
-      , product_of_ml(finest.matvec->func_ptr)
-      , blocks(matrix, n_components)
-    {
-      finest.data             = &blocks;
-      finest.matvec->func_ptr = multiply;
-    }
+    Hierarchy(const Epetra_CrsMatrix                 &matrix,
+              const MultigridOptions                 &options,
+              const std::vector<std::vector<double>> &modes);
+    ~Hierarchy();
 
-    ~FinestProducts()
-    {
-      finest.data             = of_ml;
-      finest.matvec->func_ptr = product_of_ml;
-    }
+    void   vmult(double *result, const double *source);
+    double operator_complexity() const;
 
   private:
-    static int
-    multiply(ML_Operator *level, int, double *source, int, double *result)
+    void set_coarsening(const std::vector<std::vector<double>> &modes);
+    void make_levels(unsigned int n_modes);
+    void set_smoothers();
+    void use_faster_products();
+
+    int
+    n_rows(const int level) const
     {
-      static_cast<const NodeBlocks *>(level->data)->vmult(result, source);
-      return 0;
+      return ML_Comm_GsumInt(ml->comm, ml->Amat[level].outvec_leng);
     }
 
-    ML_Operator                      &finest;
-    void                             *of_ml;
-    decltype(finest.matvec->func_ptr) product_of_ml;
-    NodeBlocks                        blocks;
+    static int multiply(ML_Operator *level, int, double *, int, double *);
+
+    const Epetra_CrsMatrix     &matrix;
+    const MultigridOptions      options;
+    ML                         *ml         = nullptr;
+    ML_Aggregate               *aggregates = nullptr;
+    int                         coarsest   = 0;
+    std::unique_ptr<NodeBlocks> blocks; // of the finest matrix
+    void                       *data_of_ml = nullptr;
   };
+
+
+
+  Multigrid::Hierarchy::Hierarchy(const Epetra_CrsMatrix &matrix,
+                                  const MultigridOptions &options,
+                                  const std::vector<std::vector<double>> &modes)
+    : matrix(matrix)
+    , options(options)
+  {
+    ML_Set_PrintLevel(0);
+    ML_Create2(&ml,
+               most_levels,
+               dynamic_cast<const Epetra_MpiComm &>(matrix.Comm()).Comm());
+    EpetraMatrix2MLMatrix(ml, 0, const_cast<Epetra_CrsMatrix *>(&matrix));
+    ml->Cheby_eig_boost = eigenvalue_boost;
+    ML_Set_SpectralNormScheme_Calc(ml);
+    ML_Set_SpectralNorm_Iterations(ml, iterations_eigenvalues);
+    ML_Aggregate_Create(&aggregates);
+    set_coarsening(modes);
+    make_levels(modes.size());
+    set_smoothers();
+    ML_Gen_Solver(ml, options.w_cycle ? ML_MGW : ML_MGV, 0, coarsest);
+    if (options.n_components > 1)
+      use_faster_products();
+  }
+
+
+
+  Multigrid::Hierarchy::~Hierarchy()
+  {
+    if (blocks)
+      ml->Amat[0].data = data_of_ml;
+    ML_Aggregate_Destroy(&aggregates);
+    ML_Destroy(&ml);
+  }
+
+
+
+  void
+  Multigrid::Hierarchy::set_coarsening(
+    const std::vector<std::vector<double>> &modes)
+  {
+    std::vector<double> all_modes;
+    for (const std::vector<double> &mode : modes)
+      all_modes.insert(all_modes.end(), mode.begin(), mode.end());
+    ML_Aggregate_Set_MaxLevels(aggregates, most_levels);
+    ML_Aggregate_Set_StartLevel(aggregates, 0);
+    ML_Aggregate_Set_CoarsenScheme_Uncoupled(aggregates);
+    ML_Aggregate_Set_Threshold(aggregates, options.weak_coupling);
+    ML_Aggregate_Set_DampingFactor(aggregates, options.prolongator_damping);
+    ML_Aggregate_Set_PointDiagScaling(aggregates);
+    ML_Aggregate_Set_MaxCoarseSize(aggregates, coarsest_size);
+    ML_Aggregate_Set_NullSpace(aggregates,
+                               options.n_components,
+                               modes.size(),
+                               all_modes.data(),
+                               matrix.NumMyRows());
+  }
+
+
+
+  // until the coarsest size is reached, or nothing gets smaller
+  void
+  Multigrid::Hierarchy::make_levels(const unsigned int n_modes)
+  {
+    const bool in_blocks = (options.n_components == 2 && n_modes == 3) ||
+                           (options.n_components == 3 && n_modes == 6);
+    ml->ML_finest_level = 0;
+    ml->LevelID[0]      = 0;
+    int next            = ML_AGG_Increment_Level(ml, coarsest, aggregates);
+    while (next >= 0 &&
+           ML_MultiLevel_Gen_Prolongator(ml, coarsest, next, aggregates) >= 0)
+    {
+      ML_MultiLevel_Gen_Restriction(ml, coarsest, next, aggregates);
+      if (coarsest == 0 && in_blocks)
+        set_galerkin_product(*ml, matrix, options.n_components, n_modes);
+      else
+        ML_Gen_AmatrixRAP(ml, coarsest, next);
+      coarsest              = next;
+      ml->LevelID[coarsest] = coarsest;
+      next                  = ML_AGG_Increment_Level(ml, coarsest, aggregates);
+    }
+  }
+
+
+
+  // polynomials reach down to what the next level takes
+  void
+  Multigrid::Hierarchy::set_smoothers()
+  {
+    for (int level = 0; level < coarsest; ++level)
+      ML_Gen_Smoother_Cheby(
+        ml,
+        level,
+        ML_BOTH,
+        std::max(options.smoothed_range,
+                 static_cast<double>(n_rows(level)) / n_rows(level + 1)),
+        options.smoother_degree);
+    ML_Gen_Smoother_Amesos(ml,
+                           coarsest,
+                           ML_AMESOS_KLU,
+                           /*MaxProcs=*/-1,
+                           /*AddToDiag=*/0.,
+                           /*SplitComm=*/1);
+  }
+
+
+
+  // ML has read the matrix, and needs its products only
+  void
+  Multigrid::Hierarchy::use_faster_products()
+  {
+    ML_Operator &finest = ml->Amat[0];
+    blocks     = std::make_unique<NodeBlocks>(matrix, options.n_components);
+    data_of_ml = std::exchange(finest.data, blocks.get());
+    finest.matvec->func_ptr = multiply;
+  }
+
+
+
+  int
+  Multigrid::Hierarchy::multiply(ML_Operator *level,
+                                 int,
+                                 double *source,
+                                 int,
+                                 double *result)
+  {
+    static_cast<const NodeBlocks *>(level->data)->vmult(result, source);
+    return 0;
+  }
+
+
+
+  void
+  Multigrid::Hierarchy::vmult(double *result, const double *source)
+  {
+    ML_Cycle_MG(&ml->SingleLevel[0],
+                result,
+                const_cast<double *>(source),
+                ML_ZERO,
+                ml->comm,
+                ML_NO_RES_NORM,
+                ml);
+  }
+
+
+
+  double
+  Multigrid::Hierarchy::operator_complexity() const
+  {
+    double all = matrix.NumGlobalNonzeros();
+    for (int level = 1; level <= coarsest; ++level)
+      all += ML_Comm_GsumDouble(ml->comm, ml->Amat[level].N_nonzeros);
+    return all / matrix.NumGlobalNonzeros();
+  }
 
 
 
@@ -257,23 +403,8 @@ namespace MixedCracks
                        const MultigridOptions                 &options,
                        const std::vector<std::vector<double>> &modes)
     : matrix(std::move(new_matrix))
-  {
-    std::vector<double> all_modes;
-    for (const std::vector<double> &mode : modes)
-      all_modes.insert(all_modes.end(), mode.begin(), mode.end());
-    Teuchos::ParameterList list = multigrid_parameters(options);
-    list.set("null space: type", "pre-computed");
-    list.set("null space: dimension", static_cast<int>(modes.size()));
-    list.set("null space: vectors", all_modes.data());
-    list.set("null space: add default vectors", false);
-    cycle = std::make_unique<ML_Epetra::MultiLevelPreconditioner>(
-      *matrix, list, true);
-    AssertThrow(cycle->IsPreconditionerComputed(),
-                ExcMessage("the multigrid hierarchy could not be built"));
-    if (options.n_components > 1)
-      finest_products =
-        std::make_unique<FinestProducts>(*cycle, *matrix, options.n_components);
-  }
+    , hierarchy(std::make_unique<Hierarchy>(*matrix, options, modes))
+  {}
 
 
 
@@ -284,7 +415,7 @@ namespace MixedCracks
   void
   Multigrid::vmult(double *result, const double *source) const
   {
-    apply(*cycle, matrix->RowMap(), result, source);
+    hierarchy->vmult(result, source);
   }
 
 
@@ -292,10 +423,7 @@ namespace MixedCracks
   double
   Multigrid::operator_complexity() const
   {
-    double complexity, entries;
-    const_cast<ML_Epetra::MultiLevelPreconditioner &>(*cycle).Complexities(
-      complexity, entries);
-    return complexity;
+    return hierarchy->operator_complexity();
   }
 
 
