@@ -2,10 +2,7 @@
 #ifndef mixed_cracks_solvers_multigrid_h
 #define mixed_cracks_solvers_multigrid_h
 
-#include <base/linear_algebra.h>
-
 #include <Epetra_CrsMatrix.h>
-#include <solvers/node_blocks.h>
 
 #include <memory>
 #include <vector>
@@ -14,21 +11,6 @@ class Ifpack_Preconditioner;
 
 namespace MixedCracks
 {
-  /// The owned rows of a square @p matrix that have @p rows set, and the
-  /// columns that have @p columns set, both renumbered without gaps: a copy
-  /// with values of its own. Collective.
-  std::unique_ptr<Epetra_CrsMatrix>
-  extract_block(const Epetra_CrsMatrix  &matrix,
-                const std::vector<bool> &rows,
-                const std::vector<bool> &columns);
-
-  /// @p result = @p matrix * @p source, or with its transpose, owned entries
-  /// only. Collective.
-  void multiply(const Epetra_CrsMatrix &matrix,
-                double                 *result,
-                const double           *source,
-                bool                    transposed = false);
-
   /// How a hierarchy is made and used; as it stands for one unknown per node.
   struct MultigridOptions
   {

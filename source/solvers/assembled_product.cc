@@ -4,7 +4,7 @@
 
 #include <Epetra_Vector.h>
 #include <solvers/assembled_product.h>
-#include <solvers/multigrid.h>
+#include <solvers/matrix_block.h>
 
 namespace MixedCracks
 {

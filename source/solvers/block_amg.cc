@@ -37,6 +37,7 @@
 
 #include <solvers/block_amg.h>
 #include <solvers/iteration_control.h>
+#include <solvers/matrix_block.h>
 
 #include <algorithm>
 #include <cmath>

@@ -18,6 +18,7 @@
 #include <deal.II/lac/vector_memory.h>
 
 #include <solvers/block_amg.h>
+#include <solvers/matrix_block.h>
 
 #include <cmath>
 

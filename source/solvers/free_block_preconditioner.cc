@@ -19,6 +19,7 @@
 #include <Epetra_Vector.h>
 #include <solvers/active_set.h>
 #include <solvers/free_block_preconditioner.h>
+#include <solvers/matrix_block.h>
 
 #include <algorithm>
 #include <cmath>

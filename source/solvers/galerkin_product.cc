@@ -27,26 +27,38 @@ namespace MixedCracks
 {
   namespace
   {
-    // Rows of P in groups, with all m entries of each block: of scalar rows
-    // (group 1) or of nodes (group d). Blocks are d x m, row by row.
-    struct BlockRows
+    // Rows of blocks with m columns take so many entries: whole registers,
+    // the last ones zero.
+    constexpr int
+    padded(const int m)
+    {
+      constexpr int n = n_lanes;
+      return (m + n - 1) / n * n;
+    }
+
+
+
+    // Rows of P, for each block all m entries, those that ML leaves out, too.
+    struct ProlongatorRows
     {
       std::vector<std::size_t> starts = {0};
-      std::vector<int>         columns; // blocks
+      std::vector<int>         columns; // of blocks
       std::vector<double>      entries;
     };
 
 
 
-    BlockRows
+    ProlongatorRows
     read_rows(ML_Operator &matrix,
               const int    n_rows,
-              const int    group,
-              const int    n_modes)
+              const int    n_modes,
+              const int    n_entries) // about
     {
-      BlockRows result;
-      const int size      = group * n_modes;
-      int       allocated = 100, length;
+      ProlongatorRows result;
+      const int       size = padded(n_modes);
+      result.columns.reserve(n_entries / n_modes);
+      result.entries.reserve(size * (n_entries / n_modes));
+      int allocated = 100, length;
       // ML enlarges them
       int *columns = static_cast<int *>(ML_allocate(allocated * sizeof(int)));
       double *values =
@@ -55,13 +67,12 @@ namespace MixedCracks
       {
         ML_get_matrix_row(
           &matrix, 1, &row, &allocated, &columns, &values, &length, 0);
-        const auto  first = result.columns.begin() + result.starts.back();
-        std::size_t place = first - result.columns.begin();
+        std::size_t place = result.columns.size();
         for (int k = 0; k < length; ++k)
         {
           const int block = columns[k] / n_modes;
           // most often that of the entry before
-          if (place >= result.columns.size() || result.columns[place] != block)
+          if (place == result.columns.size() || result.columns[place] != block)
             place = std::find(result.columns.begin() + result.starts.back(),
                               result.columns.end(),
                               block) -
@@ -71,11 +82,9 @@ namespace MixedCracks
             result.columns.push_back(block);
             result.entries.resize(result.entries.size() + size);
           }
-          result.entries[size * place + n_modes * (row % group) +
-                         columns[k] % n_modes] = values[k];
+          result.entries[size * place + columns[k] % n_modes] = values[k];
         }
-        if ((row + 1) % group == 0)
-          result.starts.push_back(result.columns.size());
+        result.starts.push_back(result.columns.size());
       }
       ML_free(columns);
       ML_free(values);
@@ -85,11 +94,11 @@ namespace MixedCracks
 
 
     // Numbers that no two unknowns of the coarse level have, on all ranks: of
-    // the rows of the restriction here; divided by m of the blocks that P^T and
-    // P have here, in order.
+    // the rows of the restriction here; divided by m of the blocks here, in
+    // order.
     struct Numbers
     {
-      std::vector<int> of_rows, left, right;
+      std::vector<int> of_rows, of_blocks;
     };
 
 
@@ -103,17 +112,25 @@ namespace MixedCracks
 
 
 
-    // Replaces columns by their places among the different ones, in order.
-    std::vector<int>
-    number_without_gaps(std::vector<int> &columns)
+    // Numbers of the blocks and rows here; replaces columns by the places of
+    // blocks.
+    Numbers
+    number_without_gaps(std::vector<int> &columns,
+                        const int        *of_rows,
+                        const int         n_rows,
+                        const int         n_modes)
     {
-      std::vector<int> different = columns;
-      std::sort(different.begin(), different.end());
-      different.erase(std::unique(different.begin(), different.end()),
-                      different.end());
+      Numbers result;
+      result.of_rows.assign(of_rows, of_rows + n_rows);
+      std::vector<int> &blocks = result.of_blocks;
+      blocks                   = columns;
+      for (const int number : result.of_rows)
+        blocks.push_back(number / n_modes);
+      std::sort(blocks.begin(), blocks.end());
+      blocks.erase(std::unique(blocks.begin(), blocks.end()), blocks.end());
       for (int &column : columns)
-        column = place_of(column, different);
-      return different;
+        column = place_of(column, blocks);
+      return result;
     }
 
 
@@ -134,13 +151,13 @@ namespace MixedCracks
         const auto found =
           std::lower_bound(list.begin(), list.end(), std::make_pair(column, 0));
         if (found != list.end() && found->first == column)
-          return &entries[m * m * static_cast<std::size_t>(found->second)];
-        list.insert(found,
-                    {column, static_cast<int>(entries.size() / (m * m))});
-        entries.resize(entries.size() + m * m);
-        return &entries[entries.size() - m * m];
+          return &entries[size * static_cast<std::size_t>(found->second)];
+        list.insert(found, {column, static_cast<int>(entries.size() / size)});
+        entries.resize(entries.size() + size);
+        return &entries[entries.size() - size];
       }
 
+      static constexpr int size = m * padded(m); // of a block
       // of each row the columns, and which block is there
       std::vector<std::vector<std::pair<int, int>>> rows;
       std::vector<double>                           entries;
@@ -148,82 +165,94 @@ namespace MixedCracks
 
 
 
-    // T of one node
+    // The d rows of a node in P or A P, by blocks d x m
     template <int d, int m>
-    struct NodeRow
+    class NodeRow
     {
-      std::vector<int>    columns, places; // of columns, -1: not there
+    public:
+      explicit NodeRow(const int n_blocks)
+        : places(n_blocks, -1)
+      {}
+
+      void
+      clear()
+      {
+        for (const int column : columns)
+          places[column] = -1;
+        columns.clear();
+        entries.clear();
+      }
+
+      // row i += factor * row of P
+      inline __attribute__((always_inline)) void
+      add(const int              i,
+          const double           factor,
+          const ProlongatorRows &rows,
+          const int              row)
+      {
+        for (std::size_t k = rows.starts[row]; k < rows.starts[row + 1]; ++k)
+        {
+          int &place = places[rows.columns[k]];
+          if (place < 0)
+          {
+            place = columns.size();
+            columns.push_back(rows.columns[k]);
+            entries.resize(entries.size() + d * padded(m));
+          }
+          double       *to   = &entries[(d * place + i) * padded(m)];
+          const double *from = &rows.entries[padded(m) * k];
+          for (int j = 0; j < padded(m); j += n_lanes)
+            store(load<Doubles>(to + j) + factor * load<Doubles>(from + j),
+                  to + j);
+        }
+      }
+
+      std::vector<int>    columns;
       std::vector<double> entries;
+
+    private:
+      std::vector<int> places; // of columns, -1: not there
     };
 
 
 
     template <int d, int m>
     inline __attribute__((always_inline)) void
-    add_products(const Epetra_CrsMatrix &matrix,
-                 const BlockRows        &right,
-                 const int               node,
-                 NodeRow<d, m>          &sum)
-    {
-      for (const int column : sum.columns)
-        sum.places[column] = -1;
-      sum.columns.clear();
-      sum.entries.clear();
-      for (int i = 0; i < d; ++i)
-      {
-        int     length, *indices;
-        double *values;
-        matrix.ExtractMyRowView(d * node + i, length, values, indices);
-        for (int k = 0; k < length; ++k)
-          for (std::size_t block = right.starts[indices[k]];
-               block < right.starts[indices[k] + 1];
-               ++block)
-          {
-            int &place = sum.places[right.columns[block]];
-            if (place < 0)
-            {
-              place = sum.columns.size();
-              sum.columns.push_back(right.columns[block]);
-              sum.entries.resize(sum.entries.size() + d * m);
-            }
-            double       *to   = &sum.entries[(d * place + i) * m];
-            const double *from = &right.entries[m * block];
-            for (int j = 0; j < m; ++j)
-              to[j] += values[k] * from[j];
-          }
-      }
-    }
-
-
-
-    template <int d, int m>
-    inline __attribute__((always_inline)) void
     multiply_blocks(const Epetra_CrsMatrix &matrix,
-                    const BlockRows        &left,
-                    const BlockRows        &right,
-                    NodeRow<d, m>          &row,
+                    const ProlongatorRows  &prolongator,
+                    NodeRow<d, m>          &of_node, // P
+                    NodeRow<d, m>          &product, // A P
                     BlockSums<m>           &result)
     {
       for (int node = 0; node < matrix.NumMyRows() / d; ++node)
       {
-        add_products(matrix, right, node, row);
-        for (std::size_t b = left.starts[node]; b < left.starts[node + 1]; ++b)
+        of_node.clear();
+        product.clear();
+        for (int i = 0; i < d; ++i)
         {
-          const double *p = &left.entries[d * m * b];
-          for (std::size_t c = 0; c < row.columns.size(); ++c)
+          int     length, *indices;
+          double *values;
+          matrix.ExtractMyRowView(d * node + i, length, values, indices);
+          for (int k = 0; k < length; ++k)
+            product.add(i, values[k], prolongator, indices[k]);
+          of_node.add(i, 1., prolongator, d * node + i);
+        }
+        for (std::size_t b = 0; b < of_node.columns.size(); ++b)
+          for (std::size_t c = 0; c < product.columns.size(); ++c)
           {
-            double       *to = result.entry(left.columns[b], row.columns[c]);
-            const double *t  = &row.entries[d * m * c];
-            for (int i = 0; i < m; ++i)
-              for (int j = 0; j < m; ++j)
+            const double *p = &of_node.entries[d * padded(m) * b];
+            const double *t = &product.entries[d * padded(m) * c];
+            double *to = result.entry(of_node.columns[b], product.columns[c]);
+            for (int i = 0; i < m; ++i, to += padded(m))
+              for (int j = 0; j < padded(m); j += n_lanes)
               {
-                double sum = 0.;
+                Doubles sum = load<Doubles>(to + j);
                 for (int k = 0; k < d; ++k)
-                  sum += p[k * m + i] * t[k * m + j];
-                to[i * m + j] += sum;
+                  sum +=
+                    p[k * padded(m) + i] * load<Doubles>(t + k * padded(m) + j);
+                store(sum, to + j);
               }
           }
-        }
       }
     }
 
@@ -232,12 +261,12 @@ namespace MixedCracks
     template <int d, int m>
     MIXED_CRACKS_FOR_AVX2 void
     multiply_blocks_avx2(const Epetra_CrsMatrix &matrix,
-                         const BlockRows        &left,
-                         const BlockRows        &right,
-                         NodeRow<d, m>          &row,
+                         const ProlongatorRows  &prolongator,
+                         NodeRow<d, m>          &of_node,
+                         NodeRow<d, m>          &product,
                          BlockSums<m>           &result)
     {
-      multiply_blocks(matrix, left, right, row, result);
+      multiply_blocks(matrix, prolongator, of_node, product, result);
     }
 
 
@@ -249,7 +278,7 @@ namespace MixedCracks
               const Numbers      &numbers,
               const ML_Operator  &restriction)
     {
-      const std::size_t n_entries = sums.entries.size();
+      const std::size_t n_entries = sums.entries.size() / padded(m) * m;
       const int         n_rows    = numbers.of_rows.size();
       auto             *data =
         static_cast<ML_CSR_MSRdata *>(ML_allocate(sizeof(ML_CSR_MSRdata)));
@@ -262,19 +291,15 @@ namespace MixedCracks
       data->rowptr[0] = 0;
       for (int row = 0; row < n_rows; ++row)
       {
-        const int         number = numbers.of_rows[row];
-        const std::size_t place  = place_of(number / m, numbers.left);
-        if (place == numbers.left.size() || numbers.left[place] != number / m)
-        {
-          data->rowptr[row + 1] = next; // nothing interpolates from it
-          continue;
-        }
-        for (const auto &[column, block] : sums.rows[place])
+        const int number = numbers.of_rows[row];
+        for (const auto &[column, block] :
+             sums.rows[place_of(number / m, numbers.of_blocks)])
           for (int j = 0; j < m; ++j, ++next)
           {
             const std::size_t first = m * static_cast<std::size_t>(block);
-            data->columns[next]     = m * numbers.right[column] + j;
-            data->values[next] = sums.entries[m * (first + number % m) + j];
+            data->columns[next]     = m * numbers.of_blocks[column] + j;
+            data->values[next] =
+              sums.entries[padded(m) * (first + number % m) + j];
           }
         data->rowptr[row + 1] = next;
         longest               = std::max(longest, next - data->rowptr[row]);
@@ -295,24 +320,23 @@ namespace MixedCracks
     ML_Operator *
     local_product(const Epetra_CrsMatrix &matrix,
                   const ML_Operator      &restriction,
-                  const BlockRows        &left,
-                  const BlockRows        &right,
+                  const ProlongatorRows  &prolongator,
                   const Numbers          &numbers)
     {
-      NodeRow<d, m> row;
-      row.places.assign(numbers.right.size(), -1);
-      BlockSums<m> sums(numbers.left.size());
+      const int     n_blocks = numbers.of_blocks.size();
+      NodeRow<d, m> of_node(n_blocks), product(n_blocks);
+      BlockSums<m>  sums(n_blocks);
       if (has_avx2())
-        multiply_blocks_avx2(matrix, left, right, row, sums);
+        multiply_blocks_avx2(matrix, prolongator, of_node, product, sums);
       else
-        multiply_blocks(matrix, left, right, row, sums);
+        multiply_blocks(matrix, prolongator, of_node, product, sums);
       return copy_sums(sums, numbers, restriction);
     }
 
 
 
     // rows of P for all columns of A, those of other ranks, too
-    BlockRows
+    ProlongatorRows
     read_all_rows(ML_Operator &prolongator,
                   ML_Operator &matrix,
                   const int    n,
@@ -321,7 +345,8 @@ namespace MixedCracks
       ML_Operator *all = &prolongator;
       if (matrix.getrow->pre_comm != nullptr)
         ML_exchange_rows(&prolongator, &all, matrix.getrow->pre_comm);
-      BlockRows result = read_rows(*all, n, 1, n_modes);
+      ProlongatorRows result =
+        read_rows(*all, n, n_modes, prolongator.N_nonzeros);
       if (all == &prolongator)
         return result;
       // what was appended to it goes, itself it stays
@@ -355,22 +380,17 @@ namespace MixedCracks
                             &most_columns,
                             prolongator.comm);
     access.use_loc_glob_map = ML_YES;
-    BlockRows left =
-      read_rows(prolongator, matrix.NumMyRows(), n_components, n_modes);
-    BlockRows right =
+    ProlongatorRows rows =
       read_all_rows(prolongator, fine, matrix.NumMyCols(), n_modes);
-    Numbers numbers;
-    numbers.of_rows.assign(access.loc_glob_map,
-                           access.loc_glob_map + restriction.getrow->Nrows);
-    numbers.left  = number_without_gaps(left.columns);
-    numbers.right = number_without_gaps(right.columns);
+    const Numbers numbers = number_without_gaps(
+      rows.columns, access.loc_glob_map, restriction.getrow->Nrows, n_modes);
     ML_free(access.loc_glob_map);
     access.use_loc_glob_map = ML_NO;
 
     ML_Operator *product =
       n_components == 2
-        ? local_product<2, 3>(matrix, restriction, left, right, numbers)
-        : local_product<3, 6>(matrix, restriction, left, right, numbers);
+        ? local_product<2, 3>(matrix, restriction, rows, numbers)
+        : local_product<3, 6>(matrix, restriction, rows, numbers);
     if (restriction.getrow->post_comm != nullptr)
       ML_exchange_rows(product, &product, restriction.getrow->post_comm);
     product->num_PDEs  = fine.num_PDEs;

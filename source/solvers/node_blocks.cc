@@ -149,6 +149,10 @@ namespace MixedCracks
     const int        size              = columns_per_block * rows_per_block;
     std::vector<int> block_of(source_here->MyLength() / n_components, -1);
     starts.assign(1, 0);
+    // about: entries of supports are not there
+    const int n_blocks = matrix.NumMyNonzeros() / (n_components * n_components);
+    columns.reserve(n_blocks);
+    entries.reserve(static_cast<std::size_t>(size) * n_blocks);
     for (int node = 0; node < n_nodes; ++node)
     {
       for (int d = 0; d < n_components; ++d)

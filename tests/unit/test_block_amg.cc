@@ -7,6 +7,7 @@
 
 #include <solvers/block_amg.h>
 #include <solvers/direct_solver.h>
+#include <solvers/matrix_block.h>
 
 #include <gtest/gtest.h>
 
