@@ -6,17 +6,15 @@
 // b, c aggregates; A_IJ in R^(d x d) of two nodes, P_Ib in R^(d x m) of a node
 // and an aggregate, m coarse functions per aggregate. ML looks for each entry
 // of both products by itself and keeps A P, which is as large as A; here it is
-// found for d m or m^2 entries at once, and T is of one node at a time. Of a
-// hierarchy by ML that is the larger part.
+// found for d m or m^2 entries at once, and T is of one node at a time
+// (block_product.h). Of a hierarchy by ML the two products are the larger part.
 //
 // Ranks exchange rows as in ML: those of P that belong to nodes of others
 // before, rows of A_bc for aggregates of others after it.
 
-#include <base/lanes.h>
-
-#include <Epetra_CrsMatrix.h>
 #include <ml_include.h>
 #include <ml_rap.h>
+#include <solvers/block_product.h>
 #include <solvers/galerkin_product.h>
 
 #include <algorithm>
@@ -27,35 +25,14 @@ namespace MixedCracks
 {
   namespace
   {
-    // Rows of blocks with m columns take so many entries: whole registers,
-    // the last ones zero.
-    constexpr int
-    padded(const int m)
-    {
-      constexpr int n = n_lanes;
-      return (m + n - 1) / n * n;
-    }
-
-
-
-    // Rows of P, for each block all m entries, those that ML leaves out, too.
-    struct ProlongatorRows
-    {
-      std::vector<std::size_t> starts = {0};
-      std::vector<int>         columns; // of blocks
-      std::vector<double>      entries;
-    };
-
-
-
     ProlongatorRows
     read_rows(ML_Operator &matrix,
               const int    n_rows,
               const int    n_modes,
               const int    n_entries) // about
     {
-      ProlongatorRows result;
-      const int       size = padded(n_modes);
+      ProlongatorRows   result;
+      const std::size_t size = padded(n_modes);
       result.columns.reserve(n_entries / n_modes);
       result.entries.reserve(size * (n_entries / n_modes));
       int allocated = 100, length;
@@ -131,129 +108,6 @@ namespace MixedCracks
       for (int &column : columns)
         column = place_of(column, blocks);
       return result;
-    }
-
-
-
-    // Sums of m x m blocks by row and column.
-    template <int m>
-    class BlockSums
-    {
-    public:
-      explicit BlockSums(const int n_rows)
-        : rows(n_rows)
-      {}
-
-      double *
-      entry(const int row, const int column)
-      {
-        auto      &list = rows[row];
-        const auto found =
-          std::lower_bound(list.begin(), list.end(), std::make_pair(column, 0));
-        if (found != list.end() && found->first == column)
-          return &entries[size * static_cast<std::size_t>(found->second)];
-        list.insert(found, {column, static_cast<int>(entries.size() / size)});
-        entries.resize(entries.size() + size);
-        return &entries[entries.size() - size];
-      }
-
-      static constexpr int size = m * padded(m); // of a block
-      // of each row the columns, and which block is there
-      std::vector<std::vector<std::pair<int, int>>> rows;
-      std::vector<double>                           entries;
-    };
-
-
-
-    // The d rows of a node in P or A P, by blocks d x m
-    template <int d, int m>
-    class NodeRow
-    {
-    public:
-      explicit NodeRow(const int n_blocks)
-        : places(n_blocks, -1)
-      {}
-
-      void
-      clear()
-      {
-        for (const int column : columns)
-          places[column] = -1;
-        columns.clear();
-        entries.clear();
-      }
-
-      // row i += factor * row of P
-      inline __attribute__((always_inline)) void
-      add(const int              i,
-          const double           factor,
-          const ProlongatorRows &rows,
-          const int              row)
-      {
-        for (std::size_t k = rows.starts[row]; k < rows.starts[row + 1]; ++k)
-        {
-          int &place = places[rows.columns[k]];
-          if (place < 0)
-          {
-            place = columns.size();
-            columns.push_back(rows.columns[k]);
-            entries.resize(entries.size() + d * padded(m));
-          }
-          double       *to   = &entries[(d * place + i) * padded(m)];
-          const double *from = &rows.entries[padded(m) * k];
-          for (int j = 0; j < padded(m); j += n_lanes)
-            store(load<Doubles>(to + j) + factor * load<Doubles>(from + j),
-                  to + j);
-        }
-      }
-
-      std::vector<int>    columns;
-      std::vector<double> entries;
-
-    private:
-      std::vector<int> places; // of columns, -1: not there
-    };
-
-
-
-    template <int d, int m>
-    inline __attribute__((always_inline)) void
-    multiply_blocks(const Epetra_CrsMatrix &matrix,
-                    const ProlongatorRows  &prolongator,
-                    NodeRow<d, m>          &of_node, // P
-                    NodeRow<d, m>          &product, // A P
-                    BlockSums<m>           &result)
-    {
-      for (int node = 0; node < matrix.NumMyRows() / d; ++node)
-      {
-        of_node.clear();
-        product.clear();
-        for (int i = 0; i < d; ++i)
-        {
-          int     length, *indices;
-          double *values;
-          matrix.ExtractMyRowView(d * node + i, length, values, indices);
-          for (int k = 0; k < length; ++k)
-            product.add(i, values[k], prolongator, indices[k]);
-          of_node.add(i, 1., prolongator, d * node + i);
-        }
-        for (std::size_t b = 0; b < of_node.columns.size(); ++b)
-          for (std::size_t c = 0; c < product.columns.size(); ++c)
-          {
-            const double *p = &of_node.entries[d * padded(m) * b];
-            const double *t = &product.entries[d * padded(m) * c];
-            double *to = result.entry(of_node.columns[b], product.columns[c]);
-            for (int i = 0; i < m; ++i, to += padded(m))
-              for (int j = 0; j < padded(m); j += n_lanes)
-              {
-                Doubles sum = load<Doubles>(to + j);
-                for (int k = 0; k < d; ++k)
-                  sum +=
-                    p[k * padded(m) + i] * load<Doubles>(t + k * padded(m) + j);
-                store(sum, to + j);
-              }
-          }
-      }
     }
 
 
