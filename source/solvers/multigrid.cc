@@ -14,9 +14,9 @@
 // Coarse unknowns per aggregate: as many as coarse functions, 3 in the plane
 // and 6 in space (elasticity), 1 (phase field). Smoothers are Chebyshev
 // polynomials before and after, so that the cycle is symmetric; the coarsest
-// level is factorised. Elasticity takes two thirds of a cycle for products with
-// its finest matrix: ML makes the hierarchy of it and is then given those of
-// NodeBlocks.
+// level is factorised. Of elasticity, products with the finest matrix are two
+// thirds of a cycle, and P^T A P of it was most of a hierarchy: ML is given
+// both in blocks (NodeBlocks, set_galerkin_product).
 
 #include <deal.II/base/exceptions.h>
 
@@ -73,8 +73,8 @@ namespace MixedCracks
 
 
 
-  // Levels 0 (finest) to the coarsest, by the functions of ML in C: its class
-  // for Epetra would not let the product P^T A P of level 0 be found in blocks.
+  // Levels 0 (finest) to the coarsest, by the functions of ML in C: with its
+  // class MultiLevelPreconditioner ML finds all products P^T A P itself.
   class Multigrid::Hierarchy
   {
   public:
