@@ -35,7 +35,8 @@ namespace MixedCracks
     /// Add the matrix of a cell.
     void add(unsigned int cell, const dealii::FullMatrix<double> &local);
 
-    /// What was added to rows of other ranks goes to them. Collective.
+    /// What was added to rows of other ranks goes to them: once after each
+    /// set_zero(). Collective.
     void finish();
 
   private:
