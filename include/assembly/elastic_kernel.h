@@ -155,6 +155,10 @@ namespace MixedCracks
     /// the pressure too.
     double potential() const;
 
+    /// What cancels in potential() where little strain is left, N: its rounding
+    /// errors are some machine epsilons of that.
+    double potential_terms() const;
+
     /// Minus the second derivative of potential() by the pressures, mm^2/MPa:
     /// their mass matrix with the compliance of each point as weight. As many
     /// rows and columns as there are pressure_indices().

@@ -31,6 +31,14 @@ namespace MixedCracks
     /// cells are turned inside out.
     double value(const Vector &elastic, const Vector &lagged_phase_field);
 
+    /// What cancelled in the last value(), N: see
+    /// ElasticKernel::potential_terms().
+    double
+    terms() const
+    {
+      return terms_of_value;
+    }
+
     /// The displacements of the last value() with the pressure that was found;
     /// has ghosts.
     const Vector &
@@ -53,6 +61,9 @@ namespace MixedCracks
     /// Potential and its derivative by the pressures at `state`; sets `mass`.
     double evaluate(const Vector &lagged_phase_field, Vector &residual);
 
+    /// Of all ranks; the terms are kept.
+    double sum_up(double value, double terms);
+
     /// mass * solution = right_hand_side
     void solve_with_mass(const Vector &right_hand_side, Vector &solution) const;
 
@@ -60,6 +71,7 @@ namespace MixedCracks
     const Constraints<dim> &constraints;
     Assembler<dim>         &assembler;
 
+    double                      terms_of_value = 0.;
     Vector                      state; // with ghosts
     LinearAlgebra::SparseMatrix mass;  // of the pressure, mm^2/MPa
   };

@@ -106,8 +106,11 @@ namespace MixedCracks
     /// multipliers, at the iterate whose residual was asked for last or at
     /// which the correction was computed; may be empty, or no number.
     std::function<double()> potential;
-    /// Its derivative along the correction, where potential() was asked for
-    /// last.
+    /// Size of the terms that cancel in the potential() asked for last: what
+    /// differs by some machine epsilons of it is the same. May be empty.
+    std::function<double()> potential_terms;
+    /// The derivative of the potential along the correction, where it was asked
+    /// for last.
     std::function<double()> slope;
     /// Whether the solution is a minimum of the potential: the residual alone
     /// is no reason to take a step that leads up.

@@ -169,6 +169,28 @@ namespace MixedCracks
 
 
 
+  // In energies of the order of mu |E|^2 terms of the first order in H cancel,
+  // tr H with ln J, and of a rotation those of the second, |H|^2/2 with tr H:
+  //
+  //   sum_q w_q ( g mu (|H| + |H|^2/2) + |p| |H| )
+  template <int dim>
+  double
+  ElasticKernel<dim>::potential_terms() const
+  {
+    double sum = 0.;
+    for (unsigned int q = 0; q < states.size(); ++q)
+    {
+      const double size = states[q].gradient.norm();
+      sum += geometry->weights[q] *
+             (states[q].degradation * constants[q].mu * (1. + 0.5 * size) +
+              std::abs(states[q].pressure)) *
+             size;
+    }
+    return sum;
+  }
+
+
+
   // M_kl = sum_q w_q (-dc/dp) M_k M_l
   template <int dim>
   void
@@ -224,6 +246,7 @@ namespace MixedCracks
     const;                                                                       \
   template double ElasticKernel<dim>::smallest_determinant() const;              \
   template double ElasticKernel<dim>::potential() const;                         \
+  template double ElasticKernel<dim>::potential_terms() const;                   \
   template void   ElasticKernel<dim>::pressure_mass(FullMatrix<double> &) const; \
   template void   ElasticKernel<dim>::add_finite(unsigned int, CellAverages &)   \
     const;

@@ -35,6 +35,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <vector>
 
 namespace MixedCracks
 {
@@ -89,7 +90,7 @@ namespace MixedCracks
     const LinearAlgebra::Vector &lagged_phase_field,
     LinearAlgebra::Vector       &residual)
   {
-    double                           sum   = 0.;
+    double                           sum = 0., terms = 0.;
     CellDofs<dim>                   &cells = assembler.elastic_dofs();
     const std::vector<unsigned int> &pressures =
       assembler.kernel().pressure_indices();
@@ -106,6 +107,7 @@ namespace MixedCracks
       ElasticEvaluation::tangents,
       [&](const unsigned int cell, const ElasticKernel<dim> &kernel) {
         sum += kernel.potential();
+        terms += kernel.potential_terms();
         kernel.residual(local);
         kernel.pressure_mass(local_mass);
         cells.global_indices(cell, all);
@@ -119,7 +121,7 @@ namespace MixedCracks
       });
     mass.compress(VectorOperation::add);
     residual.compress(VectorOperation::add);
-    return Utilities::MPI::sum(sum, fields.communicator());
+    return sum_up(sum, terms);
   }
 
 
@@ -177,14 +179,27 @@ namespace MixedCracks
   ElasticPotential<dim>::present_value(
     const LinearAlgebra::Vector &lagged_phase_field)
   {
-    double sum = 0.;
+    double sum = 0., terms = 0.;
     assembler.visit_states(state,
                            lagged_phase_field,
                            ElasticEvaluation::points,
                            [&](unsigned int, const ElasticKernel<dim> &kernel) {
                              sum += kernel.potential();
+                             terms += kernel.potential_terms();
                            });
-    return Utilities::MPI::sum(sum, fields.communicator());
+    return sum_up(sum, terms);
+  }
+
+
+
+  template <int dim>
+  double
+  ElasticPotential<dim>::sum_up(const double value, const double terms)
+  {
+    std::vector<double> sums = {value, terms};
+    Utilities::MPI::sum(sums, fields.communicator(), sums);
+    terms_of_value = sums[1];
+    return sums[0];
   }
 
 

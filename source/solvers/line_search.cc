@@ -14,7 +14,8 @@
 // residual small.
 //
 // Where the solution is a minimum (is_minimum), Pi has the last word: the
-// residual counts only where Pi does not grow by more than rounding. And where
+// residual counts only where Pi does not grow by more than rounding, which is
+// that of the terms it is made of: of a body without strain Pi is 0. And where
 // Pi'(x) d > 0, d leads up: -d is searched then, by the potential alone.
 //
 // A problem that need not be a minimum is asked for its potential, which costs
@@ -25,6 +26,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace MixedCracks
 {
@@ -61,6 +63,7 @@ namespace MixedCracks
         if (problem.potential)
         {
           start = problem.potential();
+          terms = terms_of_potential();
           slope = problem.slope();
         }
         bisect();
@@ -116,6 +119,26 @@ namespace MixedCracks
 
 
 
+      double
+      terms_of_potential() const
+      {
+        return problem.potential_terms ? problem.potential_terms() : 0.;
+      }
+
+
+
+      // of the difference of the potential between start and now
+      double
+      rounding(const double now) const
+      {
+        return rounding_of_potential *
+                 std::max(std::abs(start), std::abs(now)) +
+               std::numeric_limits<double>::epsilon() *
+                 std::max(terms, terms_of_potential());
+      }
+
+
+
       // '<=' of numbers that are none is false
       bool
       is_good_enough() const
@@ -127,9 +150,7 @@ namespace MixedCracks
           slope != 0. && now <= start + armijo * outcome.factor * slope;
         const bool may_count_residual =
           outcome.factor > 0. &&
-          (!problem.is_minimum ||
-           now <= start + rounding_of_potential *
-                            std::max(std::abs(start), std::abs(now)));
+          (!problem.is_minimum || now <= start + rounding(now));
         const bool is_near =
           problem.is_minimum || outcome.size.relative_to(before).largest() <=
                                   largest_growth * before.largest();
@@ -162,6 +183,7 @@ namespace MixedCracks
       const NewtonOptions &options;
       const ResidualSize  &before;
       double               start = 0.; // the potential there
+      double               terms = 0.; // that cancel in it
       double               slope = 0.;
       SearchOutcome        outcome;
     };

@@ -238,7 +238,8 @@ namespace MixedCracks
       return potential.value(trial.elastic, trial.lagged_phase_field) -
              work_along_search(trial.elastic, iterate);
     };
-    problem.slope = [&]() {
+    problem.potential_terms = [&]() { return potential.terms(); };
+    problem.slope           = [&]() {
       PhaseTimer::Scope scope(timer, "assembly");
       Vector            along = fields.ghosted_vector(fields.elastic_dofs);
       along                   = correction;

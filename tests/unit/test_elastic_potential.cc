@@ -12,6 +12,7 @@
 
 #include <steps/phase_field_bounds.h>
 
+#include <limits>
 #include <map>
 
 using namespace MixedCracks;
@@ -164,6 +165,26 @@ TEST(ElasticPotential, ComesWithThePressureOfItsDisplacements)
         EXPECT_EQ(square.potential.equilibrium()(i), start(i));
       }
     }
+  }
+}
+
+
+
+// Turned by half a turn the intact body has no energy but what rounding leaves
+// of the terms that cancel.
+TEST(ElasticPotential, OfARotationIsTheRoundingOfItsTerms)
+{
+  for (const bool mixed : {true, false})
+  {
+    RubberSquare square(mixed, false);
+    square.phi         = square.phase_field(10.);
+    const double value = std::abs(
+      square.value(square.field([](const Point<dim> &x) { return -2. * x[0]; },
+                                [](const Point<dim> &x) { return -2. * x[1]; },
+                                [](const Point<dim> &) { return 0.; })));
+    EXPECT_GT(square.potential.terms(), 0.);
+    EXPECT_LE(
+      value, std::numeric_limits<double>::epsilon() * square.potential.terms());
   }
 }
 

@@ -15,7 +15,8 @@ namespace
   struct GuardedProblem
   {
     std::function<double(double)> potential;
-    std::function<double(double)> value; // its derivative
+    double                        terms = 0.; // that cancel in it
+    std::function<double(double)> value;      // its derivative
     std::function<double(double)> derivative;
     std::function<bool(double)>   admits;
     double                        x            = 0.;
@@ -44,7 +45,8 @@ namespace
           ++n_potentials;
           return potential(x);
         };
-        problem.slope = [this]() { return value(x) * correction; };
+        problem.potential_terms = [this]() { return terms; };
+        problem.slope           = [this]() { return value(x) * correction; };
       }
       problem.is_minimum = is_minimum;
       return solve_newton(problem, options);
@@ -127,6 +129,29 @@ TEST(LineSearch, TakesAStepThatLowersThePotentialThoughTheResidualGrows)
     options.max_iterations = 10;
     EXPECT_TRUE(problem.solve(options).converged);
     EXPECT_NEAR(problem.x, 0., 1e-6);
+  }
+}
+
+
+
+// A minimum at which the potential, a sum of terms near 10, is 0: near to it
+// what their rounding leaves is more than what the step gains.
+TEST(LineSearch, FollowsTheResidualWhereThePotentialIsButRounding)
+{
+  const double   start = 2e-8;
+  GuardedProblem problem;
+  problem.potential = [start](const double x) {
+    return 0.5 * x * x + (x < start ? 1e-15 : 0.);
+  };
+  problem.value      = [](const double x) { return x; };
+  problem.derivative = [](double) { return 1.; };
+  problem.admits     = anything;
+  for (const double terms : {10., 0.})
+  {
+    problem.x                   = start;
+    problem.terms               = terms;
+    const NewtonOutcome outcome = problem.solve();
+    EXPECT_EQ(outcome.converged, terms > 0.) << outcome.reason;
   }
 }
 
