@@ -25,46 +25,95 @@ namespace MixedCracks
 {
   namespace
   {
+    // Rows of a matrix of ML, one at a time.
+    class RowReader
+    {
+    public:
+      explicit RowReader(ML_Operator &matrix)
+        : matrix(matrix)
+        , columns(static_cast<int *>(ML_allocate(n_allocated * sizeof(int))))
+        , values(
+            static_cast<double *>(ML_allocate(n_allocated * sizeof(double))))
+      {}
+
+      RowReader(const RowReader &)            = delete;
+      RowReader &operator=(const RowReader &) = delete;
+
+      ~RowReader()
+      {
+        ML_free(columns);
+        ML_free(values);
+      }
+
+      void
+      read(int row)
+      {
+        // enlarges the two if need be
+        ML_get_matrix_row(
+          &matrix, 1, &row, &n_allocated, &columns, &values, &length, 0);
+      }
+
+    private:
+      ML_Operator &matrix;
+      int          n_allocated = 100;
+
+    public:
+      int    *columns;
+      double *values;
+      int     length = 0;
+    };
+
+
+
+    // Columns before entries, which are allocated once: they are the most of
+    // the memory here.
     ProlongatorRows
-    read_rows(ML_Operator &matrix,
-              const int    n_rows,
-              const int    n_modes,
-              const int    n_entries) // about
+    read_rows(ML_Operator &matrix, const int n_rows, const int n_modes)
     {
       ProlongatorRows   result;
-      const std::size_t size = padded(n_modes);
-      result.columns.reserve(n_entries / n_modes);
-      result.entries.reserve(size * (n_entries / n_modes));
-      int allocated = 100, length;
-      // ML enlarges them
-      int *columns = static_cast<int *>(ML_allocate(allocated * sizeof(int)));
-      double *values =
-        static_cast<double *>(ML_allocate(allocated * sizeof(double)));
-      for (int row = 0; row < n_rows; ++row)
+      std::vector<int> &blocks = result.columns;
+      RowReader         row(matrix);
+      // the place of a block in the last row begun, most often that of the
+      // entry before
+      const auto find = [&](const int         block,
+                            const std::size_t guess,
+                            const std::size_t first,
+                            const std::size_t end) {
+        if (guess < end && blocks[guess] == block)
+          return guess;
+        return static_cast<std::size_t>(
+          std::find(blocks.begin() + first, blocks.begin() + end, block) -
+          blocks.begin());
+      };
+      for (int i = 0; i < n_rows; ++i)
       {
-        ML_get_matrix_row(
-          &matrix, 1, &row, &allocated, &columns, &values, &length, 0);
-        std::size_t place = result.columns.size();
-        for (int k = 0; k < length; ++k)
+        row.read(i);
+        std::size_t place = blocks.size();
+        for (int k = 0; k < row.length; ++k)
         {
-          const int block = columns[k] / n_modes;
-          // most often that of the entry before
-          if (place == result.columns.size() || result.columns[place] != block)
-            place = std::find(result.columns.begin() + result.starts.back(),
-                              result.columns.end(),
-                              block) -
-                    result.columns.begin();
-          if (place == result.columns.size())
-          {
-            result.columns.push_back(block);
-            result.entries.resize(result.entries.size() + size);
-          }
-          result.entries[size * place + columns[k] % n_modes] = values[k];
+          const int block = row.columns[k] / n_modes;
+          place = find(block, place, result.starts.back(), blocks.size());
+          if (place == blocks.size())
+            blocks.push_back(block);
         }
-        result.starts.push_back(result.columns.size());
+        result.starts.push_back(blocks.size());
       }
-      ML_free(columns);
-      ML_free(values);
+      const std::size_t size = padded(n_modes);
+      result.entries.resize(size * blocks.size());
+      for (int i = 0; i < n_rows; ++i)
+      {
+        row.read(i);
+        std::size_t place = result.starts[i];
+        for (int k = 0; k < row.length; ++k)
+        {
+          place = find(row.columns[k] / n_modes,
+                       place,
+                       result.starts[i],
+                       result.starts[i + 1]);
+          result.entries[size * place + row.columns[k] % n_modes] =
+            row.values[k];
+        }
+      }
       return result;
     }
 
@@ -199,8 +248,7 @@ namespace MixedCracks
       ML_Operator *all = &prolongator;
       if (matrix.getrow->pre_comm != nullptr)
         ML_exchange_rows(&prolongator, &all, matrix.getrow->pre_comm);
-      ProlongatorRows result =
-        read_rows(*all, n, n_modes, prolongator.N_nonzeros);
+      ProlongatorRows result = read_rows(*all, n, n_modes);
       if (all == &prolongator)
         return result;
       // what was appended to it goes, itself it stays

@@ -16,6 +16,7 @@
 //   --dim 2|3  --largest UNKNOWNS  --smallest UNKNOWNS  --displacement
 //   --solver "block AMG"|direct|both  --worst (broken through, kappa = 1e-6)
 //   --tolerance 1e-8  --random (right hand side)
+//   --passes N (of set-up and solution in products; the last is measured)
 //   --levels N (adaptive ones of the study; 4, in 3-d 2)
 //   --orderings AMD,PORD,METIS (of the study; without: all)
 #include "measurement.h"
@@ -45,6 +46,7 @@ namespace
     bool        worst     = false;
     bool        random    = false;
     double      tolerance = 1e-8;
+    int         passes    = 1;
     int         levels    = 0; // 0: that of the dimension
   };
 
@@ -78,6 +80,8 @@ namespace
         result.orderings = argv[++i];
       else if (option == "--levels")
         result.levels = std::stoi(argv[++i]);
+      else if (option == "--passes")
+        result.passes = std::stoi(argv[++i]);
       else if (option == "--tolerance")
         result.tolerance = std::stod(argv[++i]);
       else
@@ -291,11 +295,14 @@ namespace
           system.make_auxiliaries();
         });
         const auto   states        = system.states();
-        const double values = seconds_of([&]() { system.assemble(states); });
+        double       values        = 0.;
+        for (int pass = 0; pass < arguments.passes; ++pass)
+          values = seconds_of([&]() { system.assemble(states); });
         const Measurement measured =
           measure<dim>(matrix_free ? "matrix-free" : "block AMG",
                        system,
-                       arguments.tolerance);
+                       arguments.tolerance,
+                       arguments.passes);
         const Memory after = memory();
         const double kB    = 1024. / system.fields.elastic.n_dofs();
         print(format(
