@@ -130,6 +130,8 @@ namespace MixedCracks
       {
         survive_closed_pipes();
         listen_for_stop_requests();
+        // whoever sees a sign of life may ask: all ranks listen by then
+        MPI_Barrier(MPI_COMM_WORLD);
         lock = lock_output(parameters.output.directory);
       }
       return simulate<dim>(
