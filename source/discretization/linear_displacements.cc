@@ -25,9 +25,8 @@
 
 #include <algorithm>
 #include <array>
+#include <map>
 #include <numeric>
-#include <utility>
-#include <vector>
 
 namespace MixedCracks
 {
@@ -35,48 +34,8 @@ namespace MixedCracks
 
   namespace
   {
-    using Weight = std::pair<types::global_dof_index, double>;
-
-
-
-    // to the weight of an unknown, of which there are a few
-    void
-    add(std::vector<Weight>          &weights,
-        const types::global_dof_index unknown,
-        const double                  weight)
-    {
-      for (auto &[other, sum] : weights)
-        if (other == unknown)
-        {
-          sum += weight;
-          return;
-        }
-      weights.emplace_back(unknown, weight);
-    }
-
-
-
-    // L_v(xi_i) that are not 0, for each displacement i of a cell
-    template <int dim>
-    std::vector<std::vector<std::pair<unsigned int, double>>>
-    shares_of_vertices(const FiniteElement<dim> &element)
-    {
-      constexpr double negligible = 1e-12;
-      std::vector<std::vector<std::pair<unsigned int, double>>> result(
-        element.n_dofs_per_cell());
-      for (unsigned int i = 0; i < result.size(); ++i)
-        if (element.system_to_component_index(i).first < dim)
-          for (unsigned int v = 0; v < GeometryInfo<dim>::vertices_per_cell;
-               ++v)
-          {
-            const double share = GeometryInfo<dim>::d_linear_shape_function(
-              element.unit_support_point(i), v);
-            if (share > negligible)
-              result[i].emplace_back(v, share);
-          }
-      return result;
-    }
-  } // namespace
+    constexpr double negligible = 1e-12;
+  }
 
 
 
@@ -250,15 +209,11 @@ namespace MixedCracks
       std::size_t first  = 0;
       int         length = 0;
     };
-    std::vector<Row>    rows(owned.n_elements());
-    std::vector<int>    columns;
-    std::vector<double> weights;
-    std::vector<Weight> row;
-    Indices             all(element.n_dofs_per_cell()), vertices;
-    const auto          shares = shares_of_vertices(element);
-    // three to four vertices in the mean, in 2-d two
-    columns.reserve((dim == 2 ? 2.5 : 3.6) * rows.size());
-    weights.reserve(columns.capacity());
+    std::vector<Row>                          rows(owned.n_elements());
+    std::vector<int>                          columns;
+    std::vector<double>                       weights;
+    std::map<types::global_dof_index, double> row;
+    Indices all(element.n_dofs_per_cell()), vertices;
     for (const auto &cell : fields.elastic.active_cell_iterators())
     {
       if (cell->is_artificial())
@@ -267,23 +222,27 @@ namespace MixedCracks
       get_dofs(cell, vertices);
       for (unsigned int i = 0; i < all.size(); ++i)
       {
-        if (shares[i].empty() || !owned.is_element(all[i]) ||
+        const unsigned int d = element.system_to_component_index(i).first;
+        if (d >= dim || !owned.is_element(all[i]) ||
             constrained.is_constrained(all[i]))
           continue;
         Row &place = rows[owned.index_within_set(all[i])];
         if (place.length > 0)
           continue;
         row.clear();
-        const unsigned int d = element.system_to_component_index(i).first;
-        for (const auto &[v, share] : shares[i])
+        for (unsigned int v = 0; v < GeometryInfo<dim>::vertices_per_cell; ++v)
         {
+          const double share = GeometryInfo<dim>::d_linear_shape_function(
+            element.unit_support_point(i), v);
           const auto vertex = vertices[dim * v + d];
+          if (share < negligible)
+            continue;
           if (!linear_constraints.is_constrained(vertex))
-            add(row, vertex, share);
+            row[vertex] += share;
           else if (const auto *entries =
                      linear_constraints.get_constraint_entries(vertex))
             for (const auto &[other, weight] : *entries)
-              add(row, other, share * weight);
+              row[other] += share * weight;
         }
         place = {columns.size(), static_cast<int>(row.size())};
         for (const auto &[vertex, weight] : row)
